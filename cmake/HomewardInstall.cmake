@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+include(CMakePackageConfigHelpers)
+install(EXPORT HomewardTargets NAMESPACE homeward:: DESTINATION lib/cmake/Homeward)
+configure_package_config_file(cmake/HomewardConfig.cmake.in
+  ${CMAKE_CURRENT_BINARY_DIR}/HomewardConfig.cmake INSTALL_DESTINATION lib/cmake/Homeward)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/HomewardConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/HomewardConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/HomewardConfigVersion.cmake DESTINATION lib/cmake/Homeward)
+install(DIRECTORY data/ DESTINATION share/homeward)

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace homeward
+{
+
+/** Half a turn, radians. */
+inline constexpr double kPi = std::numbers::pi;
+
+/** The same angle in [-pi, pi). Both in radians. */
+inline double wrapAngle(double angle)
+{
+  const double wrapped = std::remainder(angle, 2.0 * kPi);
+  return wrapped >= kPi ? wrapped - 2.0 * kPi : wrapped;
+}
+
+/** Degrees to radians. */
+constexpr double radians(double degrees)
+{
+  return degrees * (kPi / 180.0);
+}
+
+/** Radians to degrees. */
+constexpr double degrees(double radians)
+{
+  return radians * (180.0 / kPi);
+}
+
+} // namespace homeward

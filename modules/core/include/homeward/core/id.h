@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <functional>
+
+namespace homeward
+{
+
+/** A number that names one thing of one kind; ids of different kinds do not mix. Never reused. */
+template <class Tag> struct Id
+{
+  std::int64_t value = -1;
+
+  auto operator<=>(const Id &) const = default;
+};
+
+using NodeId = Id<struct NodeTag>;
+using EdgeId = Id<struct EdgeTag>;
+using DirectionId = Id<struct DirectionTag>;
+
+} // namespace homeward
+
+template <class Tag> struct std::hash<homeward::Id<Tag>>
+{
+  std::size_t operator()(homeward::Id<Tag> id) const noexcept
+  {
+    return std::hash<std::int64_t>{}(id.value);
+  }
+};

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/core/time.h>
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+namespace homeward
+{
+
+/** A picture and when it was taken. */
+struct Frame
+{
+  Time stamp{};
+  cv::Mat image; ///< CV_8UC1 or CV_8UC3 (BGR)
+};
+
+/** Something that takes pictures. */
+class ImageSource
+{
+public:
+  virtual ~ImageSource() = default;
+
+  /** The newest picture; nothing when the source has ended. @throw DeviceError when it is gone */
+  virtual std::optional<Frame> grab() = 0;
+};
+
+} // namespace homeward
