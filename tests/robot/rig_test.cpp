@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/core/angle.h>
+#include <homeward/core/error.h>
+#include <homeward/robot/rig.h>
+
+#include "test_paths.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace homeward
+{
+namespace
+{
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kFiles = "robot: ../robots/cart.urdf\ncamera: ../cameras/dome.yaml\n";
+
+std::string refusal(const std::string &yaml)
+{
+  try {
+    parseRig(yaml, "rig.yaml");
+  }
+  catch (const ConfigError &error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Rig, ReadsFilesAndLimitsInSi)
+{
+  const Rig rig = parseRig(kFiles + "limits: {max_speed_m_s: 0.5, max_turn_rate_deg_s: 90, "
+                                    "acceleration_m_s2: 0.25, deceleration_m_s2: 1}\n",
+                           "rig.yaml");
+  EXPECT_EQ(rig.robot, "../robots/cart.urdf");
+  EXPECT_EQ(rig.camera, "../cameras/dome.yaml");
+  EXPECT_DOUBLE_EQ(rig.limits.maxSpeed, 0.5);
+  EXPECT_DOUBLE_EQ(rig.limits.maxTurnRate, kPi / 2.0);
+  EXPECT_DOUBLE_EQ(rig.limits.acceleration, 0.25);
+  EXPECT_DOUBLE_EQ(rig.limits.deceleration, 1.0);
+}
+
+TEST(Rig, LimitsLeftOutKeepTheirDefaults)
+{
+  const Rig rig = parseRig(kFiles + "limits: {max_speed_m_s: 0.2}\n", "rig.yaml");
+  EXPECT_DOUBLE_EQ(rig.limits.maxSpeed, 0.2);
+  EXPECT_DOUBLE_EQ(rig.limits.maxTurnRate, Limits{}.maxTurnRate);
+}
+
+TEST(Rig, RefusalsNameFileKeyAndValue)
+{
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"robot: a.urdf\n", "'camera' is missing"},
+      {"camera: a.yaml\n", "'robot' is missing"},
+      {kFiles + "wings: 2\n", "unknown key 'wings'"},
+      {kFiles + "limits: {max_sped: 1}\n", "unknown key 'limits.max_sped'"},
+      {kFiles + "limits: {max_speed_m_s: fast}\n", "'limits.max_speed_m_s' is 'fast'"},
+      {kFiles + "limits: {max_speed_m_s: 0}\n", "'limits.max_speed_m_s' is '0'"},
+      {kFiles + "limits: {max_speed_m_s: -1}\n", "'-1'"},
+      {kFiles + "limits: {max_speed_m_s: .nan}\n", "'.nan'"},
+      {kFiles + "limits: {max_speed_m_s: [1]}\n", "'limits.max_speed_m_s' is a list"},
+      {kFiles + "limits: 3\n", "'limits' is '3'"},
+      {"robot: [a]\ncamera: b\n", "'robot' is a list"},
+      {"just words", "not a rig file"},
+      {"", "not a rig file"},
+      {"robot: {", "not YAML"},
+      {"? [a]\n: b\n", "unknown key ''"},
+  };
+  for (const auto &[yaml, culprit] : cases) {
+    EXPECT_THAT(refusal(yaml), AllOf(StartsWith("rig.yaml: "), HasSubstr(culprit))) << yaml;
+  }
+}
+
+TEST(Rig, EveryShippedRigIsRead)
+{
+  std::size_t count = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(dataDir() / "rigs")) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    std::ostringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    const Rig rig = parseRig(text.str(), entry.path().filename().string());
+    EXPECT_TRUE(std::filesystem::exists(entry.path().parent_path() / rig.robot)) << entry.path();
+    EXPECT_TRUE(std::filesystem::exists(entry.path().parent_path() / rig.camera)) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 0U) << "no rigs in " << dataDir();
+}
+
+} // namespace
+} // namespace homeward
