@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/topology/map.h>
+
+namespace homeward
+{
+
+/**
+ * A route with the fewest edges, both ends included; of several, the one whose ids come first
+ * (compared place by place). Dijkstra's algorithm, every edge costs 1.
+ * @return nothing when no route exists; {from} when from equals to
+ * @throw LogicError for unknown nodes
+ */
+std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeId from, NodeId to);
+
+/**
+ * A shortest route to the nearest node that has an open direction, both ends included; {from} when
+ * that is `from` itself. Of nodes equally near, the smallest id. The search goes no further than
+ * that node's distance.
+ * @return nothing when no open direction can be reached
+ * @throw LogicError when the node is unknown
+ */
+std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, NodeId from);
+
+/** Number of edges from `from` to every node that can be reached. @throw LogicError when unknown */
+std::map<NodeId, int> stepDistances(const TopologicalMap &map, NodeId from);
+
+} // namespace homeward

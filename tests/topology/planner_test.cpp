@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/core/error.h>
+#include <homeward/core/random.h>
+#include <homeward/topology/planner.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace homeward
+{
+namespace
+{
+
+using ::testing::ElementsAre;
+using ::testing::Optional;
+using ::testing::Pair;
+
+using Path = std::vector<NodeId>;
+
+/** Nodes 0 to n - 1; those in `open` have one open direction. */
+TopologicalMap mapOf(int n, const std::vector<std::pair<int, int>> &edges,
+                     const std::vector<int> &open = {})
+{
+  TopologicalMap map;
+  for (int i = 0; i < n; ++i) {
+    Node node{{i}, {}};
+    if (std::find(open.begin(), open.end(), i) != open.end()) {
+      node.directions.push_back({{0}, 0.0, 0.3});
+    }
+    map.apply(NodeAdded{node});
+  }
+  for (const auto &[a, b] : edges) {
+    map.apply(EdgeAdded{{map.nextEdgeId(), {a}, {b}}});
+  }
+  return map;
+}
+
+// Two rooms on a corridor, and a shed that nobody can reach:
+//
+//     1 --- 2 --- 3          8 --- 9
+//     |           |
+//     0 --- 4 --- 5 --- 6 --- 7
+TopologicalMap flat(const std::vector<int> &open = {})
+{
+  return mapOf(10, {{0, 1}, {1, 2}, {2, 3}, {3, 5}, {0, 4}, {4, 5}, {5, 6}, {6, 7}, {8, 9}}, open);
+}
+
+TEST(ShortestPath, TakesTheShortSideOfTheLoop)
+{
+  EXPECT_THAT(shortestPath(flat(), {0}, {7}),
+              Optional(ElementsAre(NodeId{0}, NodeId{4}, NodeId{5}, NodeId{6}, NodeId{7})));
+}
+
+TEST(ShortestPath, OfANodeToItselfIsTheNode)
+{
+  EXPECT_THAT(shortestPath(flat(), {6}, {6}), Optional(ElementsAre(NodeId{6})));
+}
+
+TEST(ShortestPath, IsNothingWithoutARoute)
+{
+  EXPECT_EQ(shortestPath(flat(), {0}, {8}), std::nullopt);
+}
+
+TEST(ShortestPath, RefusesUnknownNodes)
+{
+  EXPECT_THROW(shortestPath(flat(), {0}, {10}), LogicError);
+  EXPECT_THROW(shortestPath(flat(), {-1}, {0}), LogicError);
+}
+
+// Two ways round, equally long; edges entered so that neither way is found first by luck alone:
+//
+//        3
+//      /   \.
+//     0     4
+//      \   /
+//        1
+TEST(ShortestPath, OfEquallyLongOnesHasTheSmallestIds)
+{
+  const Path expected{{0}, {1}, {4}};
+  EXPECT_EQ(shortestPath(mapOf(5, {{0, 3}, {3, 4}, {0, 1}, {1, 4}}), {0}, {4}), expected);
+  EXPECT_EQ(shortestPath(mapOf(5, {{1, 4}, {0, 1}, {3, 4}, {0, 3}}), {0}, {4}), expected);
+}
+
+TEST(PathToNearestOpen, GoesToTheNearest)
+{
+  EXPECT_THAT(pathToNearestOpen(flat({3, 6}), {0}),
+              Optional(ElementsAre(NodeId{0}, NodeId{1}, NodeId{2}, NodeId{3})));
+  EXPECT_THAT(pathToNearestOpen(flat({3, 6}), {4}),
+              Optional(ElementsAre(NodeId{4}, NodeId{5}, NodeId{3})));
+}
+
+TEST(PathToNearestOpen, StaysWhereADirectionIsOpen)
+{
+  EXPECT_THAT(pathToNearestOpen(flat({4, 5}), {5}), Optional(ElementsAre(NodeId{5})));
+}
+
+TEST(PathToNearestOpen, OfEquallyNearOnesTakesTheSmallestId)
+{
+  EXPECT_THAT(pathToNearestOpen(flat({2, 4}), {0}), Optional(ElementsAre(NodeId{0}, NodeId{4})));
+  EXPECT_THAT(pathToNearestOpen(flat({6, 3, 4}), {5}), Optional(ElementsAre(NodeId{5}, NodeId{3})));
+}
+
+TEST(PathToNearestOpen, IsNothingWhenAllThatCanBeReachedIsSettled)
+{
+  EXPECT_EQ(pathToNearestOpen(flat(), {0}), std::nullopt);
+  EXPECT_EQ(pathToNearestOpen(flat({9}), {0}), std::nullopt);
+  EXPECT_THROW(pathToNearestOpen(flat(), {12}), LogicError);
+}
+
+TEST(StepDistances, CountEdgesAndLeaveOutWhatCannotBeReached)
+{
+  EXPECT_THAT(stepDistances(flat(), {6}),
+              ElementsAre(Pair(NodeId{0}, 3), Pair(NodeId{1}, 4), Pair(NodeId{2}, 3),
+                          Pair(NodeId{3}, 2), Pair(NodeId{4}, 2), Pair(NodeId{5}, 1),
+                          Pair(NodeId{6}, 0), Pair(NodeId{7}, 1)));
+  EXPECT_THROW(stepDistances(flat(), {12}), LogicError);
+}
+
+/** Every path without repeated nodes that continues `path` to `to`, appended to `all`. */
+void enumerate(const TopologicalMap &map, const Path &path, NodeId to, std::vector<Path> &all)
+{
+  if (path.back() == to) {
+    all.push_back(path);
+    return;
+  }
+  for (const NodeId next : map.neighbours(path.back())) {
+    if (std::find(path.begin(), path.end(), next) == path.end()) {
+      Path longer = path;
+      longer.push_back(next);
+      enumerate(map, longer, to, all);
+    }
+  }
+}
+
+/** Of all simple paths the shortest; of those the first in order of ids. */
+std::optional<Path> bestOf(const TopologicalMap &map, NodeId from, NodeId to)
+{
+  std::vector<Path> all;
+  enumerate(map, {from}, to, all);
+  const auto best = std::min_element(all.begin(), all.end(), [](const Path &a, const Path &b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  });
+  return best == all.end() ? std::nullopt : std::optional<Path>(*best);
+}
+
+TopologicalMap randomMap(Random &random)
+{
+  const int n = static_cast<int>(random.uniform(1.0, 8.0));
+  const double density = random.uniform(0.1, 0.7);
+  std::vector<std::pair<int, int>> edges;
+  std::vector<int> open;
+  for (int a = 0; a < n; ++a) {
+    for (int b = a + 1; b < n; ++b) {
+      if (random.uniform(0.0, 1.0) < density) {
+        edges.emplace_back(random.uniform(0.0, 1.0) < 0.5 ? std::pair{a, b} : std::pair{b, a});
+      }
+    }
+    if (random.uniform(0.0, 1.0) < 0.3) {
+      open.push_back(a);
+    }
+  }
+  std::reverse(edges.begin(), edges.end());
+  return mapOf(n, edges, open);
+}
+
+TEST(PlannerLaws, TheRouteIsTheBestOfAllThatCanBeEnumerated)
+{
+  Random random(1, 0);
+  int routes = 0;
+  for (int round = 0; round < 60; ++round) {
+    const TopologicalMap map = randomMap(random);
+    for (const auto &[from, unused] : map.nodes()) {
+      const std::map<NodeId, int> steps = stepDistances(map, from);
+      for (const auto &[to, alsoUnused] : map.nodes()) {
+        const std::optional<Path> route = shortestPath(map, from, to);
+        ASSERT_EQ(route, bestOf(map, from, to)) << from.value << " to " << to.value;
+        ASSERT_EQ(route.has_value(), steps.count(to) == 1);
+        if (route) {
+          ++routes;
+          ASSERT_EQ(steps.at(to) + 1, static_cast<int>(route->size()));
+        }
+      }
+    }
+  }
+  EXPECT_GT(routes, 500);
+}
+
+TEST(PlannerLaws, NoOpenNodeIsNearerThanTheOneChosen)
+{
+  Random random(2, 0);
+  int found = 0;
+  for (int round = 0; round < 200; ++round) {
+    const TopologicalMap map = randomMap(random);
+    std::optional<Path> best;
+    for (const auto &[id, unused] : map.nodes()) {
+      const std::optional<Path> route = shortestPath(map, {0}, id);
+      if (map.hasOpenDirection(id) && route && (!best || route->size() < best->size())) {
+        best = route;
+      }
+    }
+    found += best ? 1 : 0;
+    ASSERT_EQ(pathToNearestOpen(map, {0}), best);
+  }
+  EXPECT_GT(found, 50);
+}
+
+} // namespace
+} // namespace homeward
