@@ -34,7 +34,7 @@ struct Direction
   double bearing = 0.0; ///< radians, ccw from the robot's heading when the node was created
   double width = 0.0;   ///< radians, 0 or more
   DirectionState state = DirectionState::Open;
-  std::string reason; ///< why it was settled; empty while open
+  std::string reason = {}; ///< why it was settled; empty while open
 
   bool operator==(const Direction &) const = default;
 };
@@ -43,7 +43,7 @@ struct Direction
 struct Node
 {
   NodeId id;
-  std::vector<Direction> directions;
+  std::vector<Direction> directions = {};
 
   bool operator==(const Node &) const = default;
 };
@@ -79,7 +79,7 @@ struct DirectionSettled
   NodeId node;
   DirectionId direction;
   DirectionState state = DirectionState::Closed;
-  std::string reason;
+  std::string reason = {};
 };
 
 /** One step in the growth of a map. */
