@@ -65,14 +65,36 @@ TEST(Rig, RefusalsNameFileKeyAndValue)
       {kFiles + "limits: {max_speed_m_s: [1]}\n", "'limits.max_speed_m_s' is a list"},
       {kFiles + "limits: 3\n", "'limits' is '3'"},
       {"robot: [a]\ncamera: b\n", "'robot' is a list"},
-      {"just words", "not a rig file"},
-      {"", "not a rig file"},
+      {"just words", "no keys and values"},
+      {"", "no keys and values"},
       {"robot: {", "not YAML"},
       {"? [a]\n: b\n", "unknown key ''"},
   };
   for (const auto &[yaml, culprit] : cases) {
     EXPECT_THAT(refusal(yaml), AllOf(StartsWith("rig.yaml: "), HasSubstr(culprit))) << yaml;
   }
+}
+
+TEST(Rig, LimitsOfABaseStandAlone)
+{
+  const Limits limits = parseLimits("turn_acceleration_deg_s2: 180\n", "base.yaml");
+  EXPECT_DOUBLE_EQ(limits.turnAcceleration, kPi);
+  EXPECT_DOUBLE_EQ(limits.maxSpeed, Limits{}.maxSpeed);
+  EXPECT_THROW(parseLimits("robot: a\n", "base.yaml"), ConfigError);
+}
+
+TEST(Rig, EveryShippedRobotsLimitsAreRead)
+{
+  std::size_t count = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(dataDir() / "robots")) {
+    if (entry.path().extension() == ".yaml") {
+      std::ostringstream text;
+      text << std::ifstream(entry.path()).rdbuf();
+      EXPECT_GT(parseLimits(text.str(), entry.path().string()).maxSpeed, 0.0);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 0U) << "no limits in " << dataDir();
 }
 
 TEST(Rig, EveryShippedRigIsRead)

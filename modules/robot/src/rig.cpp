@@ -24,14 +24,16 @@ constexpr LimitKey kLimitKeys[] = {
     {"max_turn_rate_deg_s", &Limits::maxTurnRate, radians(1.0)},
     {"acceleration_m_s2", &Limits::acceleration, 1.0},
     {"deceleration_m_s2", &Limits::deceleration, 1.0},
+    {"turn_acceleration_deg_s2", &Limits::turnAcceleration, radians(1.0)},
 };
 
-YAML::Node load(const std::string &yaml, const std::string &origin)
+/** The document, a map of keys such as `example`. */
+YAML::Node load(const std::string &yaml, const std::string &origin, const std::string &example)
 {
   try {
     YAML::Node root = YAML::Load(yaml);
     if (!root.IsMap()) {
-      throw ConfigError(origin + ": not a rig file: 'robot:' and 'camera:' are expected");
+      throw ConfigError(origin + ": no keys and values; lines like '" + example + "' are expected");
     }
     return root;
   }
@@ -66,29 +68,32 @@ double positive(const YAML::Node &value, const std::string &key, const std::stri
   return number;
 }
 
-Limits limits(const YAML::Node &node, const std::string &origin)
+/** @param prefix of every key in messages */
+Limits limits(const YAML::Node &node, const std::string &prefix, const std::string &origin)
 {
-  if (!node.IsMap()) {
-    throw ConfigError(origin + ": 'limits' is " + shown(node) + "; a map is expected");
-  }
   Limits result;
   for (const auto &entry : node) {
     const std::string key = entry.first.Scalar();
     const auto *known = std::find_if(std::begin(kLimitKeys), std::end(kLimitKeys),
                                      [&](const LimitKey &each) { return key == each.key; });
     if (known == std::end(kLimitKeys)) {
-      throw ConfigError(origin + ": unknown key 'limits." + key + "'");
+      throw ConfigError(origin + ": unknown key '" + prefix + key + "'");
     }
-    result.*(known->member) = positive(entry.second, "limits." + key, origin) * known->unit;
+    result.*(known->member) = positive(entry.second, prefix + key, origin) * known->unit;
   }
   return result;
 }
 
 } // namespace
 
+Limits parseLimits(const std::string &yaml, const std::string &origin)
+{
+  return limits(load(yaml, origin, "max_speed_m_s: 0.4"), "", origin);
+}
+
 Rig parseRig(const std::string &yaml, const std::string &origin)
 {
-  const YAML::Node root = load(yaml, origin);
+  const YAML::Node root = load(yaml, origin, "robot: FILE");
   Rig rig;
   for (const auto &entry : root) {
     const std::string key = entry.first.Scalar();
@@ -99,7 +104,10 @@ Rig parseRig(const std::string &yaml, const std::string &origin)
       rig.camera = file(entry.second, key, origin);
     }
     else if (key == "limits") {
-      rig.limits = limits(entry.second, origin);
+      if (!entry.second.IsMap()) {
+        throw ConfigError(origin + ": 'limits' is " + shown(entry.second) + "; a map is expected");
+      }
+      rig.limits = limits(entry.second, "limits.", origin);
     }
     else {
       throw ConfigError(origin + ": unknown key '" + key + "'");
