@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/homing/min_warping.h>
+
+#include "scale_planes.h"
+
+#include <homeward/core/error.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace homeward
+{
+
+namespace
+{
+
+/** Columns with less texture than this share carry no answer. */
+constexpr double kLeastTexturedShare = 0.1;
+
+/** Smallest distance proxy given; below it, noise decides. */
+constexpr double kLeastProxy = 0.005;
+
+/** WarpingMatch::contrast of a match beyond doubt, and of pictures of different places. */
+constexpr double kSureContrast = 0.6;
+constexpr double kBlindContrast = 0.9;
+
+/** Offset of the vertex of the parabola through three values, in steps, within half a step. */
+double parabolaVertex(double before, double middle, double after)
+{
+  const double curvature = before - 2.0 * middle + after;
+  return curvature > 0.0 ? std::clamp((before - after) / (2.0 * curvature), -0.5, 0.5) : 0.0;
+}
+
+/** Falls from 1 at `good` to 0 at `bad`. */
+double ramp(double value, double good, double bad)
+{
+  return std::clamp((bad - value) / (bad - good), 0.0, 1.0);
+}
+
+/** accumulator[i] = min(accumulator[i], row[i]) */
+void lower(std::uint8_t *__restrict accumulator, const std::uint8_t *__restrict row, int size)
+{
+  for (int i = 0; i < size; ++i) {
+    accumulator[i] = row[i] < accumulator[i] ? row[i] : accumulator[i];
+  }
+}
+
+/** total[i] += values[i] */
+void add(std::uint16_t *__restrict total, const std::uint8_t *__restrict values, int size)
+{
+  for (int i = 0; i < size; ++i) {
+    total[i] = static_cast<std::uint16_t>(total[i] + values[i]);
+  }
+}
+
+} // namespace
+
+/** M(alpha, psi) on the grid of columns. */
+class MinWarping::Sums
+{
+public:
+  static constexpr std::int32_t kUnsearched = std::numeric_limits<std::int32_t>::max();
+
+  Sums(int columns, const std::vector<bool> &turns) : m_columns(columns)
+  {
+    const auto size = static_cast<std::size_t>(columns);
+    m_values.assign(size * size, kUnsearched);
+    for (std::size_t turn = 0; turn < size; ++turn) {
+      if (turns[turn]) {
+        std::fill_n(&m_values[turn * size], size, 0);
+      }
+    }
+  }
+
+  std::int32_t *turn(int psi) { return &m_values[index(psi, 0)]; }
+  const std::vector<std::int32_t> &values() const { return m_values; }
+
+  std::int32_t at(int psi, int alpha) const { return m_values[index(wrap(psi), wrap(alpha))]; }
+
+private:
+  int wrap(int column) const { return ((column % m_columns) + m_columns) % m_columns; }
+  std::size_t index(int psi, int alpha) const
+  {
+    return static_cast<std::size_t>(psi) * static_cast<std::size_t>(m_columns) +
+           static_cast<std::size_t>(alpha);
+  }
+
+  int m_columns;
+  std::vector<std::int32_t> m_values;
+};
+
+/** The best grid point and the refined one. */
+struct MinWarping::Minimum
+{
+  int psi = 0;               ///< columns
+  int alpha = 0;             ///< columns
+  double refinedPsi = 0.0;   ///< columns
+  double refinedAlpha = 0.0; ///< columns
+  std::int32_t value = Sums::kUnsearched;
+};
+
+MinWarping::MinWarping(const MinWarpingOptions &options) : m_options(options)
+{
+  if (options.planes < 3 || options.planes > 31 || options.planes % 2 == 0) {
+    throw LogicError("planes is " + std::to_string(options.planes) +
+                     ", must be odd and between 3 and 31");
+  }
+  if (!(options.scaleMax > 1.0) || !(options.scaleLimit >= options.scaleMax)) {
+    throw LogicError("scaleMax is " + std::to_string(options.scaleMax) + " and scaleLimit " +
+                     std::to_string(options.scaleLimit) + ", must be 1 < scaleMax <= scaleLimit");
+  }
+  if (!(options.compassShare > 0.0) || options.compassShare > 1.0) {
+    throw LogicError("compassShare is " + std::to_string(options.compassShare) +
+                     ", must be above 0 and at most 1");
+  }
+  m_featureOptions.columns = options.columns;
+  m_featureOptions.rows = options.rows;
+  m_featureOptions.magnifications = options.planes / 2 + 1;
+  m_featureOptions.magnificationStep = std::pow(options.scaleMax, 2.0 / (options.planes - 1));
+  checkColumnFeatureOptions(m_featureOptions);
+  buildTemplate();
+}
+
+void MinWarping::buildTemplate()
+{
+  const int columns = m_options.columns;
+  const int half = columns / 2;
+  const int middle = m_options.planes / 2;
+  const double logStep = std::log(m_featureOptions.magnificationStep);
+  m_template.assign(static_cast<std::size_t>(columns), {});
+  for (int plane = middle; plane < m_options.planes; ++plane) {
+    m_template[0].push_back({0, plane}); // ahead: only nearer
+    m_template[static_cast<std::size_t>(half)].push_back({0, 2 * middle - plane}); // behind
+  }
+  for (int x = 1; x < half; ++x) {
+    const double angle = 2.0 * kPi * x / columns;
+    for (int delta = 0; x + delta < half; ++delta) {
+      const double moved = angle + 2.0 * kPi * delta / columns;
+      const double scale = std::sin(moved) / std::sin(angle);
+      if (scale > m_options.scaleLimit || scale < 1.0 / m_options.scaleLimit) {
+        continue;
+      }
+      const int step = static_cast<int>(std::lround(std::log(scale) / logStep));
+      const int plane = std::clamp(middle + step, 0, m_options.planes - 1);
+      m_template[static_cast<std::size_t>(x)].push_back({delta, plane});
+      m_template[static_cast<std::size_t>(columns - x)].push_back({-delta, plane});
+    }
+  }
+}
+
+std::vector<bool> MinWarping::likelyTurns(const ScalePlanes &forward) const
+{
+  const int columns = m_options.columns;
+  std::vector<int> cost(static_cast<std::size_t>(columns));
+  for (int psi = 0; psi < columns; ++psi) {
+    const std::uint8_t *row = forward.row(forward.middlePlane(), -psi);
+    cost[static_cast<std::size_t>(psi)] = std::accumulate(row, row + columns, 0);
+  }
+  const auto kept = static_cast<std::size_t>(
+      std::clamp<long>(std::lround(m_options.compassShare * columns), 1L, columns));
+  std::vector<int> order(static_cast<std::size_t>(columns));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return cost[static_cast<std::size_t>(a)] < cost[static_cast<std::size_t>(b)];
+  });
+  std::vector<bool> turns(static_cast<std::size_t>(columns), false);
+  for (std::size_t i = 0; i < kept; ++i) {
+    for (const int neighbour : {-1, 0, 1}) { // the refinement looks one step aside
+      turns[static_cast<std::size_t>(forward.wrapColumn(order[i] + neighbour))] = true;
+    }
+  }
+  return turns;
+}
+
+void MinWarping::accumulate(const ScalePlanes &planes, const std::vector<bool> &turns, bool swapped,
+                            Sums &sums) const
+{
+  const int columns = m_options.columns;
+  const auto size = static_cast<std::size_t>(columns);
+  std::vector<std::uint8_t> best(size);
+  std::vector<std::uint16_t> total(size);
+  for (int psi = 0; psi < columns; ++psi) {
+    if (!turns[static_cast<std::size_t>(psi)]) {
+      continue;
+    }
+    const int turn = swapped ? -psi : psi;
+    std::fill(total.begin(), total.end(), std::uint16_t{0});
+    for (int x = 0; x < columns; ++x) {
+      std::fill(best.begin(), best.end(), std::uint8_t{255});
+      for (const Candidate &candidate : m_template[static_cast<std::size_t>(x)]) {
+        lower(best.data(), planes.row(candidate.plane, candidate.delta - turn) + x, columns);
+      }
+      add(total.data(), best.data(), columns);
+    }
+    // Seen from the other place, home lies at alpha + pi - psi.
+    const int offset = swapped ? columns / 2 - psi : 0;
+    std::int32_t *sum = sums.turn(psi);
+    for (int alpha = 0; alpha < columns; ++alpha) {
+      sum[alpha] += total[static_cast<std::size_t>(planes.wrapColumn(alpha + offset))];
+    }
+  }
+}
+
+MinWarping::Minimum MinWarping::findMinimum(const Sums &sums) const
+{
+  const int columns = m_options.columns;
+  const auto best = std::min_element(sums.values().begin(), sums.values().end());
+  const auto index = static_cast<int>(best - sums.values().begin());
+  Minimum minimum;
+  minimum.psi = index / columns;
+  minimum.alpha = index % columns;
+  minimum.value = *best;
+  const auto vertex = [&](int psiStep, int alphaStep) {
+    const std::int32_t before = sums.at(minimum.psi - psiStep, minimum.alpha - alphaStep);
+    const std::int32_t after = sums.at(minimum.psi + psiStep, minimum.alpha + alphaStep);
+    return before == Sums::kUnsearched || after == Sums::kUnsearched
+               ? 0.0
+               : parabolaVertex(before, minimum.value, after);
+  };
+  minimum.refinedPsi = minimum.psi + vertex(1, 0);
+  minimum.refinedAlpha = minimum.alpha + vertex(0, 1);
+  return minimum;
+}
+
+double MinWarping::distanceProxy(const ScalePlanes &forward, const Minimum &minimum) const
+{
+  const int columns = m_options.columns;
+  const double column = 2.0 * kPi / columns;
+  const double turned = (minimum.refinedPsi - minimum.psi) * column;
+  std::vector<double> relative;
+  for (int x = 0; x < columns; ++x) {
+    const double angle = wrapAngle(x * column);
+    if (std::abs(std::sin(angle)) < 0.5) {
+      continue; // nearly along the movement the bearing does not tell the distance
+    }
+    const int i = forward.wrapColumn(minimum.alpha + x);
+    const auto distance = [&](int plane, int delta) {
+      return static_cast<int>(forward.row(plane, delta - minimum.psi)[i]);
+    };
+    Candidate best = m_template[static_cast<std::size_t>(x)].front();
+    for (const Candidate &candidate : m_template[static_cast<std::size_t>(x)]) {
+      if (distance(candidate.plane, candidate.delta) < distance(best.plane, best.delta)) {
+        best = candidate;
+      }
+    }
+    const double vertex =
+        parabolaVertex(distance(best.plane, best.delta - 1), distance(best.plane, best.delta),
+                       distance(best.plane, best.delta + 1));
+    const double delta = (best.delta + vertex) * column + turned;
+    relative.push_back(std::sin(delta) / std::sin(angle + delta));
+  }
+  const auto quarter = static_cast<std::ptrdiff_t>(relative.size() / 4);
+  std::sort(relative.begin(), relative.end());
+  const double sum = std::accumulate(relative.begin() + quarter, relative.end() - quarter, 0.0);
+  const double mean = sum / static_cast<double>(std::ssize(relative) - 2 * quarter);
+  return std::max(kLeastProxy, mean);
+}
+
+WarpingMatch MinWarping::describe(const ScalePlanes &forward, const Sums &sums,
+                                  const Minimum &minimum) const
+{
+  const int columns = m_options.columns;
+  const double column = 2.0 * kPi / columns;
+  std::vector<std::int32_t> searched;
+  std::int32_t otherTurn = Sums::kUnsearched;
+  std::int32_t opposite = Sums::kUnsearched;
+  for (int psi = 0; psi < columns; ++psi) {
+    const bool farTurn = std::abs(wrapAngle((psi - minimum.psi) * column)) > radians(20.0);
+    for (int alpha = 0; alpha < columns; ++alpha) {
+      const std::int32_t value = sums.at(psi, alpha);
+      if (value == Sums::kUnsearched) {
+        continue;
+      }
+      searched.push_back(value);
+      const double turn = wrapAngle((alpha - psi - minimum.alpha + minimum.psi) * column);
+      otherTurn = farTurn ? std::min(otherTurn, value) : otherTurn;
+      opposite = std::abs(turn) > radians(60.0) ? std::min(opposite, value) : opposite;
+    }
+  }
+  const auto middle = searched.begin() + std::ssize(searched) / 2;
+  std::nth_element(searched.begin(), middle, searched.end());
+  const auto ratioTo = [&](std::int32_t value) {
+    return value > 0 ? static_cast<double>(minimum.value) / value : 1.0;
+  };
+
+  WarpingMatch match;
+  match.contrast = ratioTo(*middle);
+  match.headingRatio = ratioTo(otherTurn);
+  match.oppositeRatio = ratioTo(opposite);
+  match.matchDistance = minimum.value / (forward.fullSum() * (m_options.doubleSearch ? 2.0 : 1.0));
+  match.home.direction = wrapAngle((minimum.refinedAlpha - minimum.refinedPsi) * column + kPi);
+  match.home.headingChange = wrapAngle(minimum.refinedPsi * column);
+  match.home.distanceProxy = distanceProxy(forward, minimum);
+  match.home.confidence = ramp(match.contrast, kSureContrast, kBlindContrast);
+  return match;
+}
+
+ColumnFeatures MinWarping::prepare(const Panorama &panorama) const
+{
+  return makeColumnFeatures(panorama, m_featureOptions);
+}
+
+std::optional<WarpingMatch> MinWarping::match(const ColumnFeatures &current,
+                                              const ColumnFeatures &snapshot) const
+{
+  if (!(current.options == m_featureOptions) || !(snapshot.options == m_featureOptions)) {
+    throw LogicError("panorama was prepared with other min-warping options");
+  }
+  if (std::min(current.texturedShare, snapshot.texturedShare) < kLeastTexturedShare) {
+    return std::nullopt;
+  }
+  const ScalePlanes forward(snapshot, current);
+  const std::vector<bool> turns = likelyTurns(forward);
+  Sums sums(m_options.columns, turns);
+  accumulate(forward, turns, false, sums);
+  if (m_options.doubleSearch) {
+    accumulate(forward.swapped(), turns, true, sums);
+  }
+  return describe(forward, sums, findMinimum(sums));
+}
+
+std::optional<HomeVector> MinWarping::compute(const Panorama &current, const Panorama &snapshot)
+{
+  const std::optional<WarpingMatch> found = match(prepare(current), prepare(snapshot));
+  return found ? std::optional(found->home) : std::nullopt;
+}
+
+} // namespace homeward
