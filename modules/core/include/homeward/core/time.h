@@ -19,7 +19,7 @@ using Time = std::chrono::time_point<RobotClockTag, Duration>;
 /** A span given in seconds, rounded to the nanosecond. */
 inline Duration fromSeconds(double seconds)
 {
-  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+  return std::chrono::round<Duration>(std::chrono::duration<double>(seconds));
 }
 
 /** A span in seconds. */
