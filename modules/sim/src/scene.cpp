@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/sim/scene.h>
 
+#include "scene_builder.h"
+#include "sdf_document.h"
+
 namespace homeward
 {
 
@@ -16,6 +19,25 @@ Eigen::AlignedBox3f boundsOf(const std::vector<Mesh> &meshes)
     }
   }
   return bounds;
+}
+
+Scene loadScene(const std::filesystem::path &worldFile)
+{
+  const SdfPaths paths(worldFile);
+  const SdfDocument document = readSdf(worldFile, paths);
+  SceneBuilder builder(paths, std::filesystem::absolute(worldFile));
+  if (const sdf::World *world = document.root->WorldByIndex(0)) {
+    builder.addWorld(*world);
+  }
+  else {
+    builder.addModel(*document.root->Model());
+  }
+  Scene scene = builder.take();
+  if (scene.name.empty() || scene.name == "default") {
+    scene.name = worldFile.stem().string();
+  }
+  scene.problems.insert(scene.problems.begin(), document.problems.begin(), document.problems.end());
+  return scene;
 }
 
 } // namespace homeward
