@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace homeward
@@ -15,73 +16,80 @@ namespace homeward
 namespace
 {
 
-/** Mean of a sampled signal over an interval of (fractional) sample edges, by running sums. */
-class RunningMean
+/** A place between samples, for reading running sums there. */
+struct Position
 {
-public:
-  explicit RunningMean(std::size_t size) : m_sums(size + 1, 0.0F) {}
-
-  float *sums() { return m_sums.data(); }
-
-  /** Integral from 0 to `edge`, which is clamped to the signal. */
-  float integral(double edge) const
-  {
-    const double size = static_cast<double>(m_sums.size() - 1);
-    const double inside = std::clamp(edge, 0.0, size);
-    const auto whole = std::min(static_cast<std::size_t>(inside), m_sums.size() - 2);
-    const auto part = static_cast<float>(inside - static_cast<double>(whole));
-    return m_sums[whole] + part * (m_sums[whole + 1] - m_sums[whole]);
-  }
-
-  /** Integral from 0 to `edge` of the signal repeated for ever. */
-  float periodicIntegral(double edge) const
-  {
-    const double size = static_cast<double>(m_sums.size() - 1);
-    const double turns = std::floor(edge / size);
-    return static_cast<float>(turns) * m_sums.back() + integral(edge - turns * size);
-  }
-
-private:
-  std::vector<float> m_sums;
+  std::size_t whole;
+  float part;
 };
+
+/** Position of a fractional sample edge, clamped to a signal of `size` samples. */
+Position positionOf(double edge, std::size_t size)
+{
+  const double inside = std::clamp(edge, 0.0, static_cast<double>(size));
+  const auto whole = std::min(static_cast<std::size_t>(inside), size - 1);
+  return {whole, static_cast<float>(inside - static_cast<double>(whole))};
+}
+
+/** Integral of the signal from its beginning to a position; sums[i] is that over i samples. */
+float integral(const std::vector<float> &sums, const Position &position)
+{
+  const float below = sums[position.whole];
+  return below + position.part * (sums[position.whole + 1] - below);
+}
+
+/** A stretch of a signal, averaged by running sums. */
+struct Interval
+{
+  Position from;
+  Position to;
+  float perSample; ///< 1 / length
+
+  float mean(const std::vector<float> &sums) const
+  {
+    return (integral(sums, to) - integral(sums, from)) * perSample;
+  }
+};
+
+/** For each column, where it stands in a row that is repeated once on its right. */
+std::vector<Interval> columnIntervals(const PanoramaGeometry &geometry, int columns)
+{
+  const double half = std::max(0.5, geometry.width / (2.0 * columns));
+  const auto size = static_cast<std::size_t>(2 * geometry.width);
+  std::vector<Interval> intervals;
+  for (int i = 0; i < columns; ++i) {
+    double from = geometry.column(2.0 * kPi * i / columns) + 0.5 - half;
+    from += from < 0.0 ? geometry.width : 0.0;
+    intervals.push_back({positionOf(from, size), positionOf(from + 2.0 * half, size),
+                         static_cast<float>(0.5 / half)});
+  }
+  return intervals;
+}
 
 /** Log intensities, [column * height + row], column i round azimuth 2 pi i / columns. */
 std::vector<float> logColumns(const cv::Mat &gray, const PanoramaGeometry &geometry,
                               const ColumnFeatureOptions &options)
 {
-  const auto columns = static_cast<std::size_t>(options.columns);
+  const std::vector<Interval> intervals = columnIntervals(geometry, options.columns);
   const auto height = static_cast<std::size_t>(gray.rows);
-  const double halfWidth = std::max(0.5, geometry.width / (2.0 * options.columns));
-  std::vector<double> middles(columns);
-  for (std::size_t i = 0; i < columns; ++i) {
-    middles[i] = geometry.column(2.0 * kPi * static_cast<double>(i) / options.columns) + 0.5;
-  }
-  std::vector<float> logs(columns * height);
-  RunningMean mean(static_cast<std::size_t>(gray.cols));
+  const auto width = static_cast<std::size_t>(gray.cols);
+  const auto dark = static_cast<float>(options.darkLevel);
+  std::vector<float> logs(intervals.size() * height);
+  std::vector<float> sums(2 * width + 1, 0.0F);
   for (std::size_t row = 0; row < height; ++row) {
     const auto *pixels = gray.ptr<std::uint8_t>(static_cast<int>(row));
-    for (int u = 0; u < gray.cols; ++u) {
-      mean.sums()[u + 1] = mean.sums()[u] + static_cast<float>(pixels[u]);
+    for (std::size_t u = 0; u < 2 * width; ++u) {
+      sums[u + 1] = sums[u] + static_cast<float>(pixels[u < width ? u : u - width]);
     }
-    for (std::size_t i = 0; i < columns; ++i) {
-      const float sum = mean.periodicIntegral(middles[i] + halfWidth) -
-                        mean.periodicIntegral(middles[i] - halfWidth);
-      const auto intensity = static_cast<float>(sum / (2.0 * halfWidth) + options.darkLevel);
-      logs[i * height + row] = std::log(intensity);
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+      logs[i * height + row] = std::log(intervals[i].mean(sums) + dark);
     }
   }
   return logs;
 }
 
-/** Interval of picture rows (edges) that one cell of a column covers. */
-struct RowInterval
-{
-  double from;
-  double to;
-};
-
 /** rows + 1 cells from the top down, magnified about the horizon. */
-std::vector<RowInterval> cells(const PanoramaGeometry &geometry, int rows, double magnification)
+std::vector<Interval> cells(const PanoramaGeometry &geometry, int rows, double magnification)
 {
   const double limit = std::min(geometry.elevationMax, -geometry.elevationMin);
   if (!(limit > 0.0) || limit >= kPi / 2.0) {
@@ -93,38 +101,46 @@ std::vector<RowInterval> cells(const PanoramaGeometry &geometry, int rows, doubl
     const double elevation = limit - 2.0 * limit * index / (rows + 1);
     return geometry.row(std::atan(std::tan(elevation) / magnification)) + 0.5;
   };
-  std::vector<RowInterval> result;
+  const auto height = static_cast<std::size_t>(geometry.height);
+  std::vector<Interval> result;
   for (int cell = 0; cell <= rows; ++cell) {
     const double from = edge(cell);
     const double to = edge(cell + 1);
     const double middle = (from + to) / 2.0;
     const double half = std::max(0.5, (to - from) / 2.0); // narrower would show the pixel grid
-    result.push_back({middle - half, middle + half});
+    const double top = std::max(0.0, middle - half);
+    const double bottom = std::min<double>(geometry.height, middle + half);
+    result.push_back({positionOf(top, height), positionOf(bottom, height),
+                      static_cast<float>(1.0 / (bottom - top))});
   }
   return result;
 }
 
 /** Signed square roots of the steps from cell to cell; returns the sum of their magnitudes. */
-float edges(const float *column, std::size_t height, const std::vector<RowInterval> &intervals,
-            RunningMean &mean, std::vector<float> &values)
+float edges(const std::vector<float> &sums, const std::vector<Interval> &intervals,
+            std::vector<float> &values)
 {
-  for (std::size_t row = 0; row < height; ++row) {
-    mean.sums()[row + 1] = mean.sums()[row] + column[row];
-  }
-  float above = 0.0F;
+  float above = intervals.front().mean(sums);
   float total = 0.0F;
-  for (std::size_t cell = 0; cell < intervals.size(); ++cell) {
-    const double from = std::max(0.0, intervals[cell].from);
-    const double to = std::min(static_cast<double>(height), intervals[cell].to);
-    const auto level = static_cast<float>((mean.integral(to) - mean.integral(from)) / (to - from));
-    if (cell > 0) {
-      const float step = above - level;
-      values[cell - 1] = std::copysign(std::sqrt(std::abs(step)), step);
-      total += std::abs(values[cell - 1]);
-    }
+  for (std::size_t cell = 1; cell < intervals.size(); ++cell) {
+    const float level = intervals[cell].mean(sums);
+    const float step = above - level;
+    const float root = std::sqrt(std::abs(step));
+    values[cell - 1] = std::copysign(root, step);
+    total += root;
     above = level;
   }
   return total;
+}
+
+/** Running sums of each column of logColumns(). */
+std::vector<std::vector<float>> columnSums(const std::vector<float> &logs, std::size_t height)
+{
+  std::vector<std::vector<float>> sums(logs.size() / height, std::vector<float>(height + 1, 0.0F));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    std::partial_sum(&logs[i * height], &logs[i * height] + height, sums[i].begin() + 1);
+  }
+  return sums;
 }
 
 } // namespace
@@ -147,34 +163,32 @@ ColumnFeatures makeColumnFeatures(const Panorama &panorama, const ColumnFeatureO
 {
   checkColumnFeatureOptions(options);
   const cv::Mat gray = grayPicture(panorama);
-  const std::vector<float> logs = logColumns(gray, panorama.geometry, options);
-  const auto columns = static_cast<std::size_t>(options.columns);
+  const std::vector<std::vector<float>> columns =
+      columnSums(logColumns(gray, panorama.geometry, options), static_cast<std::size_t>(gray.rows));
   const auto rows = static_cast<std::size_t>(options.rows);
-  const auto height = static_cast<std::size_t>(gray.rows);
   const auto blankSum = static_cast<float>(options.blankContrast * options.rows);
+  const float unitSum = static_cast<float>(kColumnUnit) * static_cast<float>(rows);
 
   ColumnFeatures features;
   features.options = options;
-  RunningMean mean(height);
   std::vector<float> values(rows);
   std::size_t textured = 0;
   for (int m = 0; m < options.magnifications; ++m) {
-    const double magnification = std::pow(options.magnificationStep, m);
-    const std::vector<RowInterval> intervals =
-        cells(panorama.geometry, options.rows, magnification);
-    std::vector<std::uint8_t> &bytes = features.versions.emplace_back(columns * rows);
-    for (std::size_t i = 0; i < columns; ++i) {
-      const float sum = edges(&logs[i * height], height, intervals, mean, values);
+    const std::vector<Interval> intervals =
+        cells(panorama.geometry, options.rows, std::pow(options.magnificationStep, m));
+    std::vector<std::uint8_t> &bytes = features.versions.emplace_back(columns.size() * rows);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const float sum = edges(columns[i], intervals, values);
       textured += (m == 0 && sum > blankSum) ? 1U : 0U;
-      const float scale =
-          static_cast<float>(kColumnUnit) * static_cast<float>(rows) / std::max(sum, blankSum);
+      const float scale = unitSum / std::max(sum, blankSum);
       for (std::size_t r = 0; r < rows; ++r) {
-        const float level = std::clamp(std::round(values[r] * scale), -127.0F, 127.0F);
-        bytes[i * rows + r] = static_cast<std::uint8_t>(128.0F + level);
+        // Rounds: what is cut off is positive.
+        const float level = std::clamp(values[r] * scale, -127.0F, 127.0F) + 128.5F;
+        bytes[i * rows + r] = static_cast<std::uint8_t>(level);
       }
     }
   }
-  features.texturedShare = static_cast<double>(textured) / static_cast<double>(columns);
+  features.texturedShare = static_cast<double>(textured) / options.columns;
   return features;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/homing/min_warping.h>
 
+#include "column_minimum.h"
 #include "scale_planes.h"
 
 #include <homeward/core/error.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -39,22 +39,6 @@ double parabolaVertex(double before, double middle, double after)
 double ramp(double value, double good, double bad)
 {
   return std::clamp((bad - value) / (bad - good), 0.0, 1.0);
-}
-
-/** accumulator[i] = min(accumulator[i], row[i]) */
-void lower(std::uint8_t *__restrict accumulator, const std::uint8_t *__restrict row, int size)
-{
-  for (int i = 0; i < size; ++i) {
-    accumulator[i] = row[i] < accumulator[i] ? row[i] : accumulator[i];
-  }
-}
-
-/** total[i] += values[i] */
-void add(std::uint16_t *__restrict total, const std::uint8_t *__restrict values, int size)
-{
-  for (int i = 0; i < size; ++i) {
-    total[i] = static_cast<std::uint16_t>(total[i] + values[i]);
-  }
 }
 
 } // namespace
@@ -132,9 +116,13 @@ void MinWarping::buildTemplate()
   const int middle = m_options.planes / 2;
   const double logStep = std::log(m_featureOptions.magnificationStep);
   m_template.assign(static_cast<std::size_t>(columns), {});
+  const auto admit = [&](int x, int delta, int plane) {
+    const auto index = static_cast<std::size_t>(plane * columns + (delta + columns) % columns);
+    m_template[static_cast<std::size_t>(x)].push_back({delta, plane, index});
+  };
   for (int plane = middle; plane < m_options.planes; ++plane) {
-    m_template[0].push_back({0, plane}); // ahead: only nearer
-    m_template[static_cast<std::size_t>(half)].push_back({0, 2 * middle - plane}); // behind
+    admit(0, 0, plane);                 // ahead: only nearer
+    admit(half, 0, 2 * middle - plane); // behind: only farther
   }
   for (int x = 1; x < half; ++x) {
     const double angle = 2.0 * kPi * x / columns;
@@ -146,8 +134,8 @@ void MinWarping::buildTemplate()
       }
       const int step = static_cast<int>(std::lround(std::log(scale) / logStep));
       const int plane = std::clamp(middle + step, 0, m_options.planes - 1);
-      m_template[static_cast<std::size_t>(x)].push_back({delta, plane});
-      m_template[static_cast<std::size_t>(columns - x)].push_back({-delta, plane});
+      admit(x, delta, plane);
+      admit(columns - x, -delta, plane);
     }
   }
 }
@@ -181,20 +169,31 @@ void MinWarping::accumulate(const ScalePlanes &planes, const std::vector<bool> &
 {
   const int columns = m_options.columns;
   const auto size = static_cast<std::size_t>(columns);
-  std::vector<std::uint8_t> best(size);
+  std::vector<const std::uint8_t *> shifted; // rows of all planes, [plane * columns + delta]
+  std::vector<const std::uint8_t *> rows;
+  std::vector<std::uint8_t> best(size + kVectorPadding);
   std::vector<std::uint16_t> total(size);
   for (int psi = 0; psi < columns; ++psi) {
     if (!turns[static_cast<std::size_t>(psi)]) {
       continue;
     }
-    const int turn = swapped ? -psi : psi;
-    std::fill(total.begin(), total.end(), std::uint16_t{0});
-    for (int x = 0; x < columns; ++x) {
-      std::fill(best.begin(), best.end(), std::uint8_t{255});
-      for (const Candidate &candidate : m_template[static_cast<std::size_t>(x)]) {
-        lower(best.data(), planes.row(candidate.plane, candidate.delta - turn) + x, columns);
+    shifted.clear();
+    for (int plane = 0; plane < planes.planes(); ++plane) {
+      for (int delta = 0; delta < columns; ++delta) {
+        shifted.push_back(planes.row(plane, swapped ? delta + psi : delta - psi));
       }
-      add(total.data(), best.data(), columns);
+    }
+    std::fill(total.begin(), total.end(), std::uint16_t{0});
+    for (std::size_t x = 0; x < size; ++x) {
+      const std::vector<Candidate> &candidates = m_template[x];
+      rows.resize(candidates.size());
+      for (std::size_t c = 0; c < candidates.size(); ++c) {
+        rows[c] = shifted[candidates[c].index] + x;
+      }
+      columnMinima(rows.data(), rows.size(), size, best.data());
+      for (std::size_t i = 0; i < size; ++i) {
+        total[i] = static_cast<std::uint16_t>(total[i] + best[i]);
+      }
     }
     // Seen from the other place, home lies at alpha + pi - psi.
     const int offset = swapped ? columns / 2 - psi : 0;

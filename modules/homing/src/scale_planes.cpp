@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scale_planes.h"
 
+#include "column_minimum.h"
+
 #include <algorithm>
 
 namespace homeward
@@ -28,7 +30,8 @@ int sumOfAbsoluteDifferences(const std::uint8_t *__restrict a, const std::uint8_
 ScalePlanes::ScalePlanes(int columns, int planes, double fullDistance)
     : m_columns(columns), m_planes(planes), m_fullDistance(fullDistance),
       m_bytes(static_cast<std::size_t>(planes) * static_cast<std::size_t>(columns) * 2U *
-              static_cast<std::size_t>(columns))
+                  static_cast<std::size_t>(columns) +
+              kVectorPadding)
 {}
 
 ScalePlanes::ScalePlanes(const ColumnFeatures &first, const ColumnFeatures &second)

@@ -69,8 +69,9 @@ public:
 private:
   struct Candidate
   {
-    int delta; ///< columns, signed
-    int plane; ///< index of the scale plane
+    int delta;         ///< columns, signed
+    int plane;         ///< index of the scale plane
+    std::size_t index; ///< plane * columns + delta (mod columns)
   };
 
   class Sums;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace homeward
+{
+
+/** Bytes that columnMinima() may read or write beyond the last element. */
+inline constexpr std::size_t kVectorPadding = 256;
+
+/**
+ * minima[i] = min over r of rows[r][i], for i from 0 to size - 1: the inner loop of min-warping,
+ * vectorised for the processor it runs on. Elements after `size` (see kVectorPadding) are
+ * clobbered.
+ */
+void columnMinima(const std::uint8_t *const *rows, std::size_t rowCount, std::size_t size,
+                  std::uint8_t *minima);
+
+} // namespace homeward
