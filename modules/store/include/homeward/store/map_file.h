@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/store/view_codec.h>
+#include <homeward/topology/map.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace homeward
+{
+
+class Database;
+
+/** What a map was made with. Written once, when the map is created. */
+struct MapHeader
+{
+  std::string cameraHash; ///< contentHashText() of the camera file's text
+  PanoramaGeometry panorama;
+  std::string signatureKind; ///< which signature tells the places apart
+  int signatureVersion = 1;
+  std::map<std::string, double> thresholds; ///< by name; each with its own unit
+
+  bool operator==(const MapHeader &) const = default;
+};
+
+/** The picture of a place. */
+struct NewView
+{
+  NodeId node;
+  ViewBytes bytes; ///< from encodeView()
+};
+
+/** A line of the run log. */
+struct LogLine
+{
+  double time = 0.0; ///< robot time, seconds
+  std::string text;
+
+  bool operator==(const LogLine &) const = default;
+};
+
+/** All that one step adds to a map, in one transaction. */
+struct MapUpdate
+{
+  std::vector<MapChange> changes = {};
+  std::optional<NewView> view = std::nullopt;
+  std::vector<LogLine> log = {};
+  std::map<std::string, std::string> values = {}; ///< free keys; an old value is replaced
+};
+
+/**
+ * A map on disk: one SQLite file with the graph, each place's picture, the header and the run log.
+ *
+ * Every append() is one transaction: after a crash, a full disk or any other failure the file holds
+ * all of an update or nothing of it. A new map is built under the name `<file>.part` and gets its
+ * own name only when its first place is safely in it: until then an older map of that name stays,
+ * and no map without a place or without a header can ever be found there.
+ *
+ * One program writes, others may read at the same time (SQLite's write-ahead log). close() folds
+ * the log in, so that one plain file remains. Not for use from two threads at once.
+ */
+class MapFile
+{
+public:
+  enum class IfExists
+  {
+    Refuse,
+    Replace
+  };
+  enum class Access
+  {
+    ReadWrite,
+    Read
+  };
+
+  /**
+   * Starts a new map.
+   * @param path its name; conventionally `.hwm`
+   * @throw StoreError when the file exists and may not be replaced, the folder is missing, or it
+   * cannot be written
+   */
+  static MapFile create(const std::filesystem::path &path, const MapHeader &header,
+                        IfExists ifExists = IfExists::Refuse);
+
+  /**
+   * Opens a map, checks the whole file and loads the graph.
+   * @throw StoreError, in one line, when the file is missing, not a map, damaged, or was made by a
+   * newer version
+   */
+  static MapFile open(const std::filesystem::path &path, Access access = Access::ReadWrite);
+
+  MapFile(MapFile &&other) noexcept;
+  MapFile &operator=(MapFile &&other) = delete;
+
+  /** Closes; what fails then is lost, call close() to hear of it. */
+  ~MapFile();
+
+  const std::filesystem::path &path() const { return m_path; }
+  const MapHeader &header() const { return m_header; }
+
+  /** The graph, as of the last append(). */
+  const TopologicalMap &map() const { return m_map; }
+
+  /**
+   * Adds all of an update, or nothing.
+   * @throw LogicError when a change breaks a rule of TopologicalMap, the view's node is unknown or
+   * has a view already, the file was opened for reading or is closed; nothing is written then
+   * @throw StoreError when it cannot be written, or another program wrote since it was opened; the
+   * map stays as it was
+   */
+  void append(const MapUpdate &update);
+
+  /** Whether the node has a picture. */
+  bool hasView(NodeId node) const;
+
+  /**
+   * The stored bytes of a node's picture.
+   * @throw LogicError when the node has none; StoreError when they cannot be read or are damaged
+   */
+  ViewBytes view(NodeId node) const;
+
+  /** The decoded picture of a node, with the header's geometry. Throws as view(). */
+  Panorama panorama(NodeId node) const;
+
+  /** The run log, oldest first. @throw StoreError */
+  std::vector<LogLine> log() const;
+
+  /** A value of MapUpdate::values, or nothing. @throw StoreError */
+  std::optional<std::string> value(std::string_view key) const;
+
+  /**
+   * Refuses a map that was made with another camera, panorama or signature than `wanted`.
+   * @throw StoreError naming both values
+   */
+  void expectMadeWith(const MapHeader &wanted) const;
+
+  /** Folds the write-ahead log in and closes. A map without a place leaves no file. @throw
+   * StoreError */
+  void close();
+
+private:
+  MapFile(std::filesystem::path path, std::unique_ptr<Database> database);
+
+  Database &database() const;
+  void load();
+  void beginWriting();
+  void write(const MapUpdate &update);
+  void publish();
+
+  std::filesystem::path m_path;
+  std::unique_ptr<Database> m_database; ///< null once closed
+  Access m_access = Access::ReadWrite;
+  IfExists m_ifExists = IfExists::Refuse;
+  bool m_published = true;        ///< false while it is still `<file>.part`
+  std::int64_t m_dataVersion = 0; ///< changes when another program writes
+  MapHeader m_header;
+  TopologicalMap m_map;
+};
+
+} // namespace homeward

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/store/map_file.h>
+
+#include "database.h"
+#include "map_rows.h"
+#include "number_text.h"
+
+#include <homeward/core/error.h>
+#include <homeward/store/content_hash.h>
+
+#include <cmath>
+
+namespace homeward
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+fs::path withSuffix(const fs::path &path, const char *suffix)
+{
+  fs::path longer = path;
+  longer += suffix;
+  return longer;
+}
+
+fs::path partOf(const fs::path &path)
+{
+  return withSuffix(path, ".part");
+}
+
+void removeQuietly(const fs::path &path) noexcept
+{
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+void refuseExisting(const fs::path &path, MapFile::IfExists ifExists)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    throw StoreError("map " + path.string() + " is a folder; give a file name");
+  }
+  if (ifExists == MapFile::IfExists::Refuse && fs::exists(path, ignored)) {
+    throw StoreError("map " + path.string() +
+                     " exists already; give another name, or ask for it to be replaced");
+  }
+}
+
+void checkHeader(const MapHeader &header)
+{
+  if (header.panorama.width < 1 || header.panorama.height < 1) {
+    throw LogicError("map header: panorama of " + std::to_string(header.panorama.width) + " x " +
+                     std::to_string(header.panorama.height) + " pixels");
+  }
+  if (header.signatureVersion < 1) {
+    throw LogicError("map header: signature version " + std::to_string(header.signatureVersion) +
+                     ", they count from 1");
+  }
+  for (const auto &[key, value] : header.thresholds) {
+    if (!std::isfinite(value)) {
+      throw LogicError("map header: threshold " + key + " is not finite");
+    }
+  }
+}
+
+void checkLog(const std::vector<LogLine> &lines)
+{
+  for (const LogLine &line : lines) {
+    if (!std::isfinite(line.time)) {
+      throw LogicError("run log: the time of \"" + line.text + "\" is not finite");
+    }
+  }
+}
+
+std::string sizeText(const PanoramaGeometry &geometry)
+{
+  return std::to_string(geometry.width) + " x " + std::to_string(geometry.height) + " from " +
+         exactText(degrees(geometry.elevationMin)) + " to " +
+         exactText(degrees(geometry.elevationMax)) + " deg";
+}
+
+std::string signatureText(const MapHeader &header)
+{
+  return header.signatureKind + " version " + std::to_string(header.signatureVersion);
+}
+
+void expectSame(const fs::path &path, const std::string &what, const std::string &stored,
+                const std::string &wanted)
+{
+  if (stored != wanted) {
+    throw StoreError("map " + path.string() + " was made with " + what + " " + stored + ", not " +
+                     wanted + "; use the same again, or make a new map");
+  }
+}
+
+} // namespace
+
+MapFile::MapFile(fs::path path, std::unique_ptr<Database> database)
+    : m_path(std::move(path)), m_database(std::move(database))
+{}
+
+MapFile::MapFile(MapFile &&other) noexcept = default;
+
+MapFile::~MapFile()
+{
+  try {
+    close();
+  }
+  catch (const std::exception &) { // NOLINT(bugprone-empty-catch): documented at the destructor
+  }
+}
+
+MapFile MapFile::create(const fs::path &path, const MapHeader &header, IfExists ifExists)
+{
+  checkHeader(header);
+  const fs::path file = fs::absolute(path);
+  refuseExisting(file, ifExists);
+  if (!fs::is_directory(file.parent_path())) {
+    throw StoreError("map " + file.string() + " cannot be made: there is no folder " +
+                     file.parent_path().string() + "; make it first");
+  }
+  auto database = std::make_unique<Database>(partOf(file), Database::Mode::Create);
+  // Alone from the first lock to the rename: a second program that starts the same map is refused.
+  database->execute("PRAGMA locking_mode = EXCLUSIVE");
+  database->reset(); // what a run that was killed has left
+  MapFile created(file, std::move(database));
+  created.m_published = false;
+  created.m_ifExists = ifExists;
+  created.m_header = header;
+  {
+    Transaction transaction(created.database());
+    createTables(created.database());
+    writeHeader(created.database(), header);
+    transaction.commit();
+  }
+  created.m_dataVersion = created.database().integer("PRAGMA data_version");
+  return created;
+}
+
+MapFile MapFile::open(const fs::path &path, Access access)
+{
+  const fs::path file = fs::absolute(path);
+  if (!fs::exists(file)) {
+    throw StoreError("map " + file.string() +
+                     " does not exist; give a file that `homeward "
+                     "explore` wrote");
+  }
+  if (fs::is_directory(file)) {
+    throw StoreError("map " + file.string() + " is a folder; give a file name");
+  }
+  const auto mode = access == Access::Read ? Database::Mode::Read : Database::Mode::ReadWrite;
+  MapFile opened(file, std::make_unique<Database>(file, mode));
+  opened.m_access = access;
+  opened.load();
+  if (access == Access::ReadWrite) {
+    opened.beginWriting();
+  }
+  return opened;
+}
+
+void MapFile::load()
+{
+  checkTables(*m_database);
+  m_header = readHeader(*m_database);
+  m_map = readMap(*m_database);
+}
+
+void MapFile::beginWriting()
+{
+  m_database->execute("PRAGMA foreign_keys = ON");
+  m_database->execute("PRAGMA journal_mode = WAL");
+  m_database->execute("PRAGMA synchronous = FULL");
+  m_dataVersion = m_database->integer("PRAGMA data_version");
+}
+
+Database &MapFile::database() const
+{
+  if (!m_database) {
+    throw LogicError("map " + m_path.string() + " is closed");
+  }
+  return *m_database;
+}
+
+void MapFile::append(const MapUpdate &update)
+{
+  if (m_access == Access::Read) {
+    throw LogicError("map " + m_path.string() + " was opened for reading only");
+  }
+  database();
+  checkLog(update.log);
+  TopologicalMap grown = m_map;
+  for (const MapChange &change : update.changes) {
+    grown.apply(change);
+  }
+  if (update.view) {
+    grown.node(update.view->node);
+    if (hasView(update.view->node)) {
+      throw LogicError("map " + m_path.string() + ": node " +
+                       std::to_string(update.view->node.value) + " has a view already");
+    }
+    decodeView(update.view->bytes, m_header.panorama);
+  }
+  write(update);
+  if (!m_published && !grown.nodes().empty()) {
+    publish();
+  }
+  m_map = std::move(grown);
+}
+
+void MapFile::write(const MapUpdate &update)
+{
+  Database &file = database();
+  Transaction transaction(file);
+  if (file.integer("PRAGMA data_version") != m_dataVersion) {
+    throw StoreError("map " + m_path.string() +
+                     " was changed by another program; open it again to go on");
+  }
+  for (const MapChange &change : update.changes) {
+    writeChange(file, change);
+  }
+  if (update.view) {
+    writeView(file, *update.view);
+  }
+  writeLog(file, update.log);
+  writeValues(file, update.values);
+  transaction.commit();
+}
+
+void MapFile::publish()
+{
+  // SQLite forbids renaming an open file.
+  m_database->close();
+  m_database.reset();
+  try {
+    refuseExisting(m_path, m_ifExists);
+    // A log that a crash left to the map that is replaced must not be read into the new one.
+    fs::remove(withSuffix(m_path, "-wal"));
+    fs::remove(withSuffix(m_path, "-shm"));
+    fs::rename(partOf(m_path), m_path);
+  }
+  catch (const fs::filesystem_error &error) {
+    removeQuietly(partOf(m_path));
+    throw StoreError("map " + m_path.string() + " cannot get its name (" + error.code().message() +
+                     "); check the permissions of its folder");
+  }
+  catch (const StoreError &) {
+    removeQuietly(partOf(m_path));
+    throw;
+  }
+  m_published = true;
+  m_database = std::make_unique<Database>(m_path, Database::Mode::ReadWrite);
+  beginWriting();
+}
+
+bool MapFile::hasView(NodeId node) const
+{
+  Statement rows(database(), "SELECT 1 FROM view WHERE node = ?");
+  return rows.bind(node.value).step();
+}
+
+ViewBytes MapFile::view(NodeId node) const
+{
+  Statement rows(database(), "SELECT jpeg, hash FROM view WHERE node = ?");
+  if (!rows.bind(node.value).step()) {
+    throw LogicError("map " + m_path.string() + ": node " + std::to_string(node.value) +
+                     " has no view");
+  }
+  ViewBytes bytes = rows.blob(0);
+  if (hashText(contentHash(bytes)) != rows.text(1)) {
+    throw StoreError("map " + m_path.string() + " is damaged (the view of node " +
+                     std::to_string(node.value) + " changed); use a copy of it");
+  }
+  return bytes;
+}
+
+Panorama MapFile::panorama(NodeId node) const
+{
+  try {
+    return decodeView(view(node), m_header.panorama);
+  }
+  catch (const StoreError &) {
+    throw;
+  }
+  catch (const RuntimeError &error) {
+    throw StoreError("map " + m_path.string() + " is damaged (node " + std::to_string(node.value) +
+                     ", " + error.what() + "); use a copy of it");
+  }
+}
+
+std::vector<LogLine> MapFile::log() const
+{
+  std::vector<LogLine> lines;
+  Statement rows(database(), "SELECT time_s, line FROM run_log ORDER BY seq");
+  while (rows.step()) {
+    lines.push_back({rows.real(0).value_or(0.0), rows.text(1)});
+  }
+  return lines;
+}
+
+std::optional<std::string> MapFile::value(std::string_view key) const
+{
+  Statement rows(database(), "SELECT value FROM value WHERE key = ?");
+  if (!rows.bind(key).step()) {
+    return std::nullopt;
+  }
+  return rows.text(0);
+}
+
+void MapFile::expectMadeWith(const MapHeader &wanted) const
+{
+  expectSame(m_path, "camera", m_header.cameraHash, wanted.cameraHash);
+  expectSame(m_path, "panoramas of", sizeText(m_header.panorama), sizeText(wanted.panorama));
+  expectSame(m_path, "signature", signatureText(m_header), signatureText(wanted));
+}
+
+void MapFile::close()
+{
+  if (!m_database) {
+    return;
+  }
+  const std::unique_ptr<Database> closing = std::move(m_database);
+  if (!m_published) {
+    closing->close();
+    removeQuietly(partOf(m_path));
+    return;
+  }
+  if (m_access == Access::ReadWrite) {
+    // Back to a plain file that needs no companions, readable from a read-only disk too. It fails
+    // while others read; then the log is folded in when the last of them closes.
+    try {
+      closing->execute("PRAGMA journal_mode = DELETE");
+    }
+    catch (const StoreError &) {
+      closing->execute("PRAGMA wal_checkpoint");
+    }
+  }
+  closing->close();
+}
+
+} // namespace homeward
