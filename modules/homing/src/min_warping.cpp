@@ -2,6 +2,7 @@
 #include <homeward/homing/min_warping.h>
 
 #include "column_minimum.h"
+#include "parabola.h"
 #include "scale_planes.h"
 
 #include <homeward/core/error.h>
@@ -27,13 +28,6 @@ constexpr double kLeastProxy = 0.005;
 /** WarpingMatch::contrast of a match beyond doubt, and of pictures of different places. */
 constexpr double kSureContrast = 0.6;
 constexpr double kBlindContrast = 0.9;
-
-/** Offset of the vertex of the parabola through three values, in steps, within half a step. */
-double parabolaVertex(double before, double middle, double after)
-{
-  const double curvature = before - 2.0 * middle + after;
-  return curvature > 0.0 ? std::clamp((before - after) / (2.0 * curvature), -0.5, 0.5) : 0.0;
-}
 
 /** Falls from 1 at `good` to 0 at `bad`. */
 double ramp(double value, double good, double bad)

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/homing/homing_method.h>
+
+namespace homeward
+{
+
+/** What ScaleSpaceHoming may be told. */
+struct ScaleSpaceOptions
+{
+  double contrastThreshold = 0.02; ///< of the SIFT detector; lower finds more keypoints
+  double matchRatio = 0.8;         ///< best over second best descriptor distance, (0, 1)
+  int mostKeypoints = 800;         ///< of each panorama, the strongest
+  int leastMatches = 6;            ///< fewer give no answer
+};
+
+/**
+ * Home in scale space: landmarks whose SIFT scale grew since the snapshot lie where we went, those
+ * that shrank lie towards home.
+ *
+ * With n_c, b_c (n_e, b_e) number and circular mean bearing of the contracted (expanded) matches,
+ *
+ *     home = atan2(n_c sin(b_c) + n_e sin(b_e + pi), n_c cos(b_c) + n_e cos(b_e + pi))
+ *
+ * It needs no compass. distanceProxy comes from the median |log scale ratio|, headingChange from
+ * the circular median of the matches' turns. \cite Churchill2013
+ */
+class ScaleSpaceHoming : public HomingMethod
+{
+public:
+  /** @throw LogicError for options out of range */
+  explicit ScaleSpaceHoming(const ScaleSpaceOptions &options = {});
+
+  std::optional<HomeVector> compute(const Panorama &current, const Panorama &snapshot) override;
+
+private:
+  ScaleSpaceOptions m_options;
+};
+
+} // namespace homeward
