@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/core/pose2.h>
+#include <homeward/core/random.h>
+#include <homeward/core/scan.h>
+#include <homeward/robot/robot_description.h>
+#include <homeward/sim/ray_caster.h>
+
+#include <memory>
+
+namespace homeward
+{
+
+/** What a laser looks at, and how well. */
+struct LaserOptions
+{
+  double fieldOfView = kPi;   ///< radians, centred on forward, at most a full turn
+  double step = radians(1.0); ///< radians between readings
+  double rangeMax = 15.0;     ///< metres; beyond it reads exactly this: far and open
+  double sigma = 0.01;        ///< standard deviation of a range, metres
+  double dropOutRate = 0.002; ///< share of readings that are unknown (dark, grazing)
+  double faultRate = 0.0003;  ///< share of readings that are nonsense, half each:
+  double nearFault = 0.05;    ///< below this many metres, or ...
+  double farFault = 32.0;     ///< ... about this many, above rangeMax
+};
+
+/**
+ * A SICK laser in a world. It sees the collision geometry, as Gazebo's does: that is what the body
+ * runs into, and decoration without a body is nothing to avoid. Its own robot is invisible to it.
+ */
+class LaserModel
+{
+public:
+  /**
+   * @param collisions over Layer::Collision of the world
+   * @throw LogicError unless 0 < step <= fieldOfView <= 2 pi, rangeMax > 0 and the rest >= 0
+   */
+  LaserModel(std::shared_ptr<const RayCaster> collisions, const Eigen::Isometry3d &rMl,
+             const LaserOptions &options, std::uint64_t seed);
+
+  /** One sweep from where the robot stands. */
+  Scan measure(Time stamp, const Pose2 &wMr);
+
+private:
+  float read(double range);
+
+  std::shared_ptr<const RayCaster> m_collisions;
+  Eigen::Isometry3d m_rMl;
+  LaserOptions m_options;
+  std::size_t m_count;
+  Random m_random;
+};
+
+} // namespace homeward

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/core/pose2.h>
+#include <homeward/core/random.h>
+#include <homeward/robot/mobile_base.h>
+#include <homeward/robot/robot_description.h>
+#include <homeward/sim/ray_caster.h>
+
+#include <memory>
+#include <vector>
+
+namespace homeward
+{
+
+/**
+ * The sonars of a Pioneer in a world: each hears the nearest thing above the floor in a cone of 30
+ * degrees, up to 5 m, with an error of 1 cm. Sound that a slanting wall throws aside is not
+ * modelled.
+ */
+class SonarModel
+{
+public:
+  static constexpr double kRangeMax = 5.0; ///< metres
+
+  /** @param collisions over Layer::Collision of the world */
+  SonarModel(std::shared_ptr<const RayCaster> collisions, const RobotDescription &robot,
+             std::uint64_t seed);
+
+  /** The echo of every transducer from where the robot stands. */
+  std::vector<SonarEcho> measure(const Pose2 &wMr);
+
+private:
+  double nearest(const SonarMount &mount, const Eigen::Isometry3d &wMr) const;
+
+  std::shared_ptr<const RayCaster> m_collisions;
+  std::vector<SonarMount> m_mounts;
+  Random m_random;
+};
+
+} // namespace homeward
