@@ -11,7 +11,7 @@ namespace homeward
 namespace
 {
 
-constexpr int kBusyTimeout = 1000; // milliseconds to wait for another program's transaction
+constexpr int kBusyTimeout = 250; // milliseconds to wait for another program's transaction
 
 int openFlags(Database::Mode mode)
 {

@@ -196,10 +196,6 @@ void MapFile::append(const MapUpdate &update)
   }
   if (update.view) {
     grown.node(update.view->node);
-    if (hasView(update.view->node)) {
-      throw LogicError("map " + m_path.string() + ": node " +
-                       std::to_string(update.view->node.value) + " has a view already");
-    }
     decodeView(update.view->bytes, m_header.panorama);
   }
   write(update);
@@ -221,6 +217,10 @@ void MapFile::write(const MapUpdate &update)
     writeChange(file, change);
   }
   if (update.view) {
+    if (hasView(update.view->node)) {
+      throw LogicError("map " + m_path.string() + ": node " +
+                       std::to_string(update.view->node.value) + " has a view already");
+    }
     writeView(file, *update.view);
   }
   writeLog(file, update.log);
