@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/camera/camera_file.h>
+
+#include <homeward/core/angle.h>
+#include <homeward/core/error.h>
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace homeward
+{
+namespace
+{
+
+/** One mapping of the file, read key by key and refused by name. */
+class Section
+{
+public:
+  Section(const YAML::Node &node, std::string name, std::string origin,
+          const std::vector<std::string> &known)
+      : m_node(node), m_name(std::move(name)), m_origin(std::move(origin))
+  {
+    if (!m_node.IsMap()) {
+      throw ConfigError(m_origin + ": " + m_name + " is missing or no mapping");
+    }
+    for (const auto &entry : m_node) {
+      const auto key = entry.first.as<std::string>();
+      if (std::find(known.begin(), known.end(), key) == known.end()) {
+        throw ConfigError(m_origin + ": unknown key '" + key + "' in " + m_name);
+      }
+    }
+  }
+
+  double number(const std::string &key) const
+  {
+    const YAML::Node value = m_node[key];
+    double number = 0.0;
+    if (!value || !value.IsScalar() || !YAML::convert<double>::decode(value, number) ||
+        !std::isfinite(number)) {
+      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be a number" +
+                        (value && value.IsScalar() ? ", not '" + value.Scalar() + "'" : ""));
+    }
+    return number;
+  }
+
+  double numberOr(const std::string &key, double fallback) const
+  {
+    return m_node[key] ? number(key) : fallback;
+  }
+
+  bool flag(const std::string &key) const
+  {
+    const YAML::Node value = m_node[key];
+    bool flag = false;
+    if (!value || !value.IsScalar() || !YAML::convert<bool>::decode(value, flag)) {
+      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be true or false");
+    }
+    return flag;
+  }
+
+private:
+  YAML::Node m_node;
+  std::string m_name;
+  std::string m_origin;
+};
+
+int pixels(const Section &image, const std::string &key, const std::string &origin)
+{
+  const double value = image.number(key);
+  if (value < 1.0 || value > 65536.0 || value != std::floor(value)) {
+    throw ConfigError(origin + ": image." + key + " must be a whole number of pixels, not " +
+                      std::to_string(value));
+  }
+  return static_cast<int>(value);
+}
+
+UnifiedCamera::Parameters parametersOf(const YAML::Node &root, const std::string &origin)
+{
+  const Section section(root["parameters"], "parameters", origin,
+                        {"xi", "fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"});
+  UnifiedCamera::Parameters p;
+  p.xi = section.number("xi");
+  p.fx = section.number("fx");
+  p.fy = section.number("fy");
+  p.cx = section.number("cx");
+  p.cy = section.number("cy");
+  p.k1 = section.numberOr("k1", 0.0);
+  p.k2 = section.numberOr("k2", 0.0);
+  p.p1 = section.numberOr("p1", 0.0);
+  p.p2 = section.numberOr("p2", 0.0);
+  return p;
+}
+
+MirrorCamera cameraOf(const YAML::Node &root, const std::string &origin)
+{
+  const Section top(root, "the camera file", origin,
+                    {"model", "image", "parameters", "mirror", "mount"});
+  const YAML::Node model = root["model"];
+  if (!model || !model.IsScalar() || model.Scalar() != "unified") {
+    throw ConfigError(origin + ": model must be 'unified'");
+  }
+  const Section image(root["image"], "image", origin, {"width", "height"});
+  const Section mirror(root["mirror"], "mirror", origin, {"inner_radius_px", "outer_radius_px"});
+  const Section mount(root["mount"], "mount", origin, {"forward_deg", "left_is_clockwise"});
+  const MirrorRing ring{mirror.number("inner_radius_px"), mirror.number("outer_radius_px")};
+  if (ring.inner < 0.0 || ring.outer <= ring.inner) {
+    throw ConfigError(origin + ": mirror.inner_radius_px must be smaller than outer_radius_px");
+  }
+  try {
+    return {UnifiedCamera(parametersOf(root, origin), pixels(image, "width", origin),
+                          pixels(image, "height", origin)),
+            ring,
+            {radians(mount.number("forward_deg")), mount.flag("left_is_clockwise")}};
+  }
+  catch (const LogicError &error) {
+    throw ConfigError(origin + ": " + error.what());
+  }
+}
+
+} // namespace
+
+MirrorCamera parseMirrorCamera(const std::string &yaml, const std::string &origin)
+{
+  try {
+    return cameraOf(YAML::Load(yaml), origin);
+  }
+  catch (const YAML::Exception &error) {
+    throw ConfigError(origin + " is not YAML: " + error.what());
+  }
+}
+
+std::string formatMirrorCamera(const MirrorCamera &camera)
+{
+  const UnifiedCamera::Parameters &p = camera.model.parameters();
+  YAML::Emitter out;
+  out.SetDoublePrecision(17);
+  out << YAML::BeginMap << YAML::Key << "model" << YAML::Value << "unified";
+  out << YAML::Key << "image" << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key << "width"
+      << YAML::Value << camera.model.width() << YAML::Key << "height" << YAML::Value
+      << camera.model.height() << YAML::EndMap;
+  out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
+  const std::pair<const char *, double> values[] = {{"xi", p.xi}, {"fx", p.fx}, {"fy", p.fy},
+                                                    {"cx", p.cx}, {"cy", p.cy}, {"k1", p.k1},
+                                                    {"k2", p.k2}, {"p1", p.p1}, {"p2", p.p2}};
+  for (const auto &[key, value] : values) {
+    out << YAML::Key << key << YAML::Value << value;
+  }
+  out << YAML::EndMap << YAML::Key << "mirror" << YAML::Value << YAML::BeginMap << YAML::Key
+      << "inner_radius_px" << YAML::Value << camera.ring.inner << YAML::Key << "outer_radius_px"
+      << YAML::Value << camera.ring.outer << YAML::EndMap;
+  out << YAML::Key << "mount" << YAML::Value << YAML::BeginMap << YAML::Key << "forward_deg"
+      << YAML::Value << degrees(camera.mount.forward) << YAML::Key << "left_is_clockwise"
+      << YAML::Value << camera.mount.leftIsClockwise << YAML::EndMap << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
+}
+
+} // namespace homeward
