@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sdf_document.h"
 
+#include "sdf_includes.h"
+
 #include <homeward/core/error.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -80,54 +83,94 @@ bool canBeLeftOut(const std::string &tag)
 }
 
 /** What to call a child of the world in a message. */
-std::string describe(const std::string &tag, const pt::ptree &child)
+std::string describe(const std::pair<std::string, pt::ptree> &entry)
 {
+  const auto &[tag, child] = entry;
   const std::string fallback = child.get("uri", child.get("include.uri", std::string("unnamed")));
   return tag + " '" + child.get("<xmlattr>.name", child.get("name", fallback)) + "'";
 }
 
-/** Why a child of the world cannot be loaded; empty when it can. */
-std::string whyBroken(const std::string &tag, const pt::ptree &child, const pt::ptree &sdfElement,
-                      const sdf::ParserConfig &config)
+using Child = std::pair<std::string, pt::ptree>;
+using Children = std::vector<Child>;
+
+/** Finds out which parts of a world libsdformat cannot load, by halving. */
+class Sieve
 {
-  pt::ptree document;
-  pt::ptree &element = document.add_child("sdf", pt::ptree());
-  element.put("<xmlattr>.version", sdfElement.get("<xmlattr>.version", "1.6"));
-  pt::ptree &world = element.add_child("world", pt::ptree());
-  world.put("<xmlattr>.name", "alone");
-  for (const auto &[otherTag, other] : sdfElement.get_child("world")) {
-    if (otherTag == "frame") {
-      world.add_child(otherTag, other);
+public:
+  Sieve(const pt::ptree &sdfElement, const sdf::ParserConfig &config)
+      : m_version(sdfElement.get("<xmlattr>.version", "1.6")), m_config(config)
+  {
+    for (const auto &child : sdfElement.get_child("world")) {
+      if (child.first == "frame") {
+        m_frames.emplace_back(child);
+      }
     }
   }
-  world.add_child(tag, child);
-  sdf::Root root;
-  const sdf::Errors errors = root.LoadSdfString(toText(document), config);
-  const sdf::World *loaded = root.WorldByIndex(0);
-  const bool isModel = tag == "model" || tag == "include";
-  if (loaded != nullptr && (!isModel || loaded->ModelCount() == 1)) {
-    return "";
-  }
-  return firstMessage(errors);
-}
 
-/** Takes out of the tree what cannot be loaded, and names it. */
-std::vector<std::string> leaveOutBroken(pt::ptree &sdfElement, const sdf::ParserConfig &config)
-{
-  std::vector<std::string> problems;
-  pt::ptree kept;
-  for (const auto &[tag, child] : sdfElement.get_child("world")) {
-    const std::string why =
-        canBeLeftOut(tag) ? whyBroken(tag, child, sdfElement, config) : std::string();
-    if (why.empty()) {
-      kept.push_back({tag, child});
+  /** Appends to `kept` what can be loaded of `children`. */
+  void sift(const Children &children, Children &kept)
+  {
+    sdf::Root root;
+    const sdf::Errors errors = root.LoadSdfString(toText(worldOf(children)), m_config);
+    if (children.size() == 1 && !isUsable(root, children.front().first)) {
+      problems.push_back(describe(children.front()) + ": left out: " + firstMessage(errors));
+    }
+    else if (children.size() <= 1 || errors.empty()) {
+      kept.insert(kept.end(), children.begin(), children.end());
     }
     else {
-      problems.push_back(describe(tag, child) + ": left out: " + why);
+      const auto middle = children.begin() + static_cast<std::ptrdiff_t>(children.size() / 2);
+      sift(Children(children.begin(), middle), kept);
+      sift(Children(middle, children.end()), kept);
     }
   }
-  sdfElement.put_child("world", kept);
-  return problems;
+
+  std::vector<std::string> problems; ///< one line for each part left out
+
+private:
+  static bool isUsable(const sdf::Root &root, const std::string &tag)
+  {
+    const sdf::World *world = root.WorldByIndex(0);
+    const bool isModel = tag == "model" || tag == "include";
+    return world != nullptr && (!isModel || world->ModelCount() == 1);
+  }
+
+  pt::ptree worldOf(const Children &children) const
+  {
+    pt::ptree world;
+    world.put("<xmlattr>.name", "part");
+    for (const Children *list : {&m_frames, &children}) {
+      for (const auto &child : *list) {
+        world.push_back({child.first, child.second});
+      }
+    }
+    pt::ptree document;
+    document.put("sdf.<xmlattr>.version", m_version);
+    document.put_child("sdf.world", world);
+    return document;
+  }
+
+  std::string m_version;
+  const sdf::ParserConfig &m_config;
+  Children m_frames; ///< that poses may refer to
+};
+
+/** Takes out of the world what cannot be loaded, and names it. */
+std::vector<std::string> leaveOutBroken(pt::ptree &sdfElement, const sdf::ParserConfig &config)
+{
+  Children kept;
+  Children doubtful;
+  for (const auto &child : sdfElement.get_child("world")) {
+    (canBeLeftOut(child.first) ? doubtful : kept).emplace_back(child);
+  }
+  Sieve sieve(sdfElement, config);
+  sieve.sift(doubtful, kept);
+  pt::ptree world;
+  for (const auto &child : kept) {
+    world.push_back({child.first, child.second});
+  }
+  sdfElement.put_child("world", world);
+  return sieve.problems;
 }
 
 } // namespace
@@ -146,8 +189,9 @@ SdfDocument readSdf(const fs::path &file, const SdfPaths &paths)
                       ": no <sdf> with a <world> or <model> in it; give an SDF world file");
   }
   const sdf::ParserConfig config = makeParserConfig(paths);
+  expandIncludes(*sdfElement, sdfElement->get("<xmlattr>.version", std::string()), paths);
   SdfDocument document{std::make_unique<sdf::Root>(), {}};
-  sdf::Errors errors = document.root->Load(fs::absolute(file).string(), config);
+  sdf::Errors errors = document.root->LoadSdfString(toText(tree), config);
   if (!errors.empty() && sdfElement->get_child_optional("world")) {
     document.problems = leaveOutBroken(*sdfElement, config);
     if (!document.problems.empty()) {
