@@ -3,6 +3,8 @@
 
 #include <homeward/core/error.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
