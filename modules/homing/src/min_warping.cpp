@@ -26,8 +26,8 @@ constexpr double kLeastTexturedShare = 0.1;
 constexpr double kLeastProxy = 0.005;
 
 /** WarpingMatch::contrast of a match beyond doubt, and of pictures of different places. */
-constexpr double kSureContrast = 0.6;
-constexpr double kBlindContrast = 0.9;
+constexpr double kSureContrast = 0.65;
+constexpr double kBlindContrast = 0.93;
 
 /** Falls from 1 at `good` to 0 at `bad`. */
 double ramp(double value, double good, double bad)
@@ -126,10 +126,20 @@ void MinWarping::buildTemplate()
       if (scale > m_options.scaleLimit || scale < 1.0 / m_options.scaleLimit) {
         continue;
       }
-      const int step = static_cast<int>(std::lround(std::log(scale) / logStep));
-      const int plane = std::clamp(middle + step, 0, m_options.planes - 1);
-      admit(x, delta, plane);
-      admit(columns - x, -delta, plane);
+      // The planes met within half a column of delta.
+      const double halfStep = kPi / columns;
+      const auto planeAt = [&](double bearing) {
+        const double bounded = std::clamp(bearing, angle, kPi - 1e-3);
+        const double logScale = std::log(std::sin(bounded) / std::sin(angle));
+        const int step = static_cast<int>(std::lround(logScale / logStep));
+        return std::clamp(middle + step, 0, m_options.planes - 1);
+      };
+      const int one = planeAt(moved - halfStep);
+      const int other = planeAt(moved + halfStep);
+      for (int plane = std::min(one, other); plane <= std::max(one, other); ++plane) {
+        admit(x, delta, plane);
+        admit(columns - x, -delta, plane);
+      }
     }
   }
 }
