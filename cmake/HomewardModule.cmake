@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# homeward_module(<name> [<public dependency>...] [PRIVATE <dependency>...])
+# homeward_module(<name> [<public dependency>...] [PRIVATE <dependency>...] [VISP_SOURCES <file>...])
 #
 # Makes the library homeward::<name> from src/*.cpp and include/homeward/<name>/*.h. The line is the
 # whole truth about what the module sees: public dependencies are transitive.
+#
+# VISP_SOURCES are compiled as C++17: ViSP 3.5's headers are no C++20. Headers that ViSP users include stay
+# C++17 too.
 function(homeward_module name)
-  cmake_parse_arguments(ARG "" "" "PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "PRIVATE;VISP_SOURCES" ${ARGN})
   set(target homeward_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
+  homeward_visp_sources(${ARG_VISP_SOURCES})
   if(sources)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
@@ -17,13 +21,20 @@ function(homeward_module name)
     set(scope INTERFACE)
   endif()
   add_library(homeward::${name} ALIAS ${target})
-  target_compile_features(${target} ${scope} cxx_std_20)
+  target_compile_features(${target} ${scope} cxx_std_17)
   target_include_directories(${target} ${scope}
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} ${scope} ${ARG_UNPARSED_ARGUMENTS})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT HomewardTargets)
   install(DIRECTORY include/ DESTINATION include)
+endfunction()
+
+# Compiles source files of this folder as C++17, for ViSP's sake.
+function(homeward_visp_sources)
+  if(ARGN)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -std=c++17)
+  endif()
 endfunction()
 
 # homeward_test(<module> [<extra library>...]): every tests/<module>/*_test.cpp becomes one program.

@@ -3,6 +3,7 @@
 #include <homeward/core/error.h>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 namespace homeward
 {

@@ -41,7 +41,11 @@ struct PanoramaGeometry
     return (elevationMax - elevation) / (elevationMax - elevationMin) * height - 0.5;
   }
 
-  bool operator==(const PanoramaGeometry &) const = default;
+  friend bool operator==(const PanoramaGeometry &a, const PanoramaGeometry &b)
+  {
+    return a.width == b.width && a.height == b.height && a.elevationMin == b.elevationMin &&
+           a.elevationMax == b.elevationMax;
+  }
 };
 
 /** A picture of everything around one place. */

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 namespace homeward
 {
 
 /** Half a turn, radians. */
-inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kPi = 3.14159265358979323846;
 
 /** The same angle in [-pi, pi). Both in radians. */
 inline double wrapAngle(double angle)

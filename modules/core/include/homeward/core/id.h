@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <functional>
 
@@ -13,7 +12,9 @@ template <class Tag> struct Id
 {
   std::int64_t value = -1;
 
-  auto operator<=>(const Id &) const = default;
+  friend bool operator==(Id a, Id b) { return a.value == b.value; }
+  friend bool operator!=(Id a, Id b) { return a.value != b.value; }
+  friend bool operator<(Id a, Id b) { return a.value < b.value; }
 };
 
 using NodeId = Id<struct NodeTag>;
