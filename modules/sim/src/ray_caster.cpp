@@ -39,6 +39,12 @@ void attach(RTCDevice device, RTCScene scene, const Mesh &mesh, unsigned index)
   rtcReleaseGeometry(geometry);
 }
 
+bool isSeeThrough(const Scene &scene, const Mesh &mesh)
+{
+  return mesh.material >= 0 &&
+         scene.materials[static_cast<std::size_t>(mesh.material)].opacity < kSeeThrough;
+}
+
 RTCRay makeRay(const Eigen::Vector3f &origin, const Eigen::Vector3f &direction, float near,
                float far)
 {
@@ -57,7 +63,7 @@ RTCRay makeRay(const Eigen::Vector3f &origin, const Eigen::Vector3f &direction, 
 
 } // namespace
 
-EmbreeScene::EmbreeScene(const std::vector<Mesh> &meshes)
+EmbreeScene::EmbreeScene(const Scene &scene, const std::vector<Mesh> &meshes)
     // One building thread: the tree, and so the answer to a tie, is the same on every machine.
     : m_device(rtcNewDevice("threads=1")), m_scene(nullptr)
 {
@@ -68,7 +74,7 @@ EmbreeScene::EmbreeScene(const std::vector<Mesh> &meshes)
   m_scene = rtcNewScene(m_device);
   rtcSetSceneFlags(m_scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    if (!meshes[i].triangles.empty()) {
+    if (!meshes[i].triangles.empty() && !isSeeThrough(scene, meshes[i])) {
       attach(m_device, m_scene, meshes[i], static_cast<unsigned>(i));
     }
   }
@@ -83,8 +89,7 @@ EmbreeScene::~EmbreeScene()
 
 RayCaster::RayCaster(std::shared_ptr<const Scene> scene, Layer layer)
     : m_scene(std::move(scene)), m_layer(layer),
-      m_embree(std::make_unique<EmbreeScene>(layer == Layer::Visual ? m_scene->visuals
-                                                                    : m_scene->collisions))
+      m_embree(std::make_unique<EmbreeScene>(*m_scene, meshes()))
 {}
 
 RayCaster::~RayCaster() = default;

@@ -8,11 +8,15 @@
 namespace homeward
 {
 
-/** Embree's search tree over meshes; geometry i is mesh i. */
+/** Below this opacity rays pass: glass is left out rather than drawn as a wall. */
+inline constexpr float kSeeThrough = 0.6F;
+
+/** Embree's search tree over meshes of a scene; geometry i is mesh i, see-through ones have none.
+ */
 class EmbreeScene
 {
 public:
-  explicit EmbreeScene(const std::vector<Mesh> &meshes);
+  EmbreeScene(const Scene &scene, const std::vector<Mesh> &meshes);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene &) = delete;
   EmbreeScene &operator=(const EmbreeScene &) = delete;

@@ -25,7 +25,7 @@ struct Material
   Eigen::Vector3f diffuse{0.5F, 0.5F, 0.5F};  ///< linear RGB; multiplies the texture
   Eigen::Vector3f emissive{0.0F, 0.0F, 0.0F}; ///< linear RGB radiance given off in any light
   int texture = -1;                           ///< index into Scene::textures, -1 without
-  float opacity = 1.0F;                       ///< 0 invisible to 1 solid
+  float opacity = 1.0F;                       ///< 0 to 1; sensors see through what is below 0.6
 };
 
 /** Triangles of one material, in the world frame. */

@@ -21,18 +21,21 @@ namespace homeward
  */
 struct TrueOptics
 {
-  int width = 640;                                   ///< pixels
-  int height = 480;                                  ///< pixels
-  double eccentricity = 1.5;                         ///< of the hyperboloid, > 1
-  double focal = 500.0;                              ///< of the perspective camera, pixels
-  Eigen::Vector2d centre{319.5, 239.5};              ///< image of the mirror's axis, pixels
+  int width = 640;                      ///< pixels
+  int height = 480;                     ///< pixels
+  double eccentricity = 1.5;            ///< of the hyperboloid, > 1
+  Eigen::Vector2d focal{350.0, 350.0};  ///< of the perspective camera, pixels along u and v
+  Eigen::Vector2d centre{319.5, 239.5}; ///< image of the mirror's axis, pixels
   Eigen::Matrix3d pRa = Eigen::Matrix3d::Identity(); ///< mirror axes a (as p, untilted) in p
   double innerRadius = 30.0;                         ///< pixels; camera and robot hide inside
   double outerRadius = 236.0;                        ///< pixels; the mirror's rim
   CameraMount mount;
 
-  /** Unit ray of a pixel in frame p, the mirror's focus; nothing outside the mirror. */
+  /** Unit ray of a pixel in frame p, the mirror's focus; nothing far beyond the rim. */
   std::optional<Eigen::Vector3d> ray(const Eigen::Vector2d &pixel) const;
+
+  /** Pixel of a direction in frame p, the inverse of ray(); it may lie outside the mirror. */
+  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d &pX) const;
 };
 
 /**
@@ -42,7 +45,7 @@ struct TrueOptics
  */
 TrueOptics drawOptics(const MirrorCamera &nominal, std::uint64_t seed);
 
-/** Optics exactly as the camera file says, for tests and data sets that want no error. */
+/** Optics exactly as the camera file says, but for lens distortion, which no simulation has. */
 TrueOptics exactOptics(const MirrorCamera &nominal);
 
 } // namespace homeward

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shading.h"
+
+#include "shading_texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace homeward
+{
+
+namespace
+{
+
+constexpr float kShadowOffset = 2e-3F; ///< start of a shadow ray above its surface, metres
+constexpr float kNegligible = 0.004F;  ///< a lamp below this share of the ambient light is skipped
+
+/** Texels a metre along each triangle of a mesh; empty without texture. */
+std::vector<float> texelDensity(const Scene &scene, const Mesh &mesh)
+{
+  const int texture =
+      mesh.material < 0 ? -1 : scene.materials[static_cast<std::size_t>(mesh.material)].texture;
+  if (texture < 0 || mesh.uvs.empty()) {
+    return {};
+  }
+  const cv::Mat &picture = scene.textures[static_cast<std::size_t>(texture)].levels.front();
+  std::vector<float> density;
+  density.reserve(mesh.triangles.size());
+  for (const Eigen::Vector3i &triangle : mesh.triangles) {
+    const auto corner = [&](const auto &list, int i) {
+      return list[static_cast<std::size_t>(triangle[i])];
+    };
+    const Eigen::Vector3f a = corner(mesh.vertices, 1) - corner(mesh.vertices, 0);
+    const Eigen::Vector3f b = corner(mesh.vertices, 2) - corner(mesh.vertices, 0);
+    const Eigen::Vector2f s = corner(mesh.uvs, 1) - corner(mesh.uvs, 0);
+    const Eigen::Vector2f t = corner(mesh.uvs, 2) - corner(mesh.uvs, 0);
+    const float texels = std::abs(s.x() * t.y() - s.y() * t.x()) *
+                         static_cast<float>(picture.cols) * static_cast<float>(picture.rows);
+    const float area = a.cross(b).norm();
+    density.push_back(area > 0.0F ? std::sqrt(texels / area) : 0.0F);
+  }
+  return density;
+}
+
+template <typename Value>
+Value interpolate(const std::vector<Value> &values, const Eigen::Vector3i &triangle, float u,
+                  float v)
+{
+  const auto at = [&](int i) -> const Value & {
+    return values[static_cast<std::size_t>(triangle[i])];
+  };
+  return at(0) * (1.0F - u - v) + at(1) * u + at(2) * v;
+}
+
+/** Brightness of a lamp at a distance, before its colour. */
+float attenuation(const Light &light, float distance)
+{
+  const float fall = light.constant + distance * (light.linear + distance * light.quadratic);
+  // Fade over the last tenth of the range, lest a ring shows where it ends.
+  const float edge = std::clamp((light.range - distance) / (0.1F * light.range), 0.0F, 1.0F);
+  return edge / std::max(fall, 1e-3F);
+}
+
+/** Share of a spot's light that goes along `direction`, away from the lamp. */
+float spotShare(const Light &light, const Eigen::Vector3f &direction)
+{
+  if (light.kind != Light::Kind::Spot) {
+    return 1.0F;
+  }
+  const float inner = std::cos(light.innerAngle / 2.0F);
+  const float outer = std::cos(light.outerAngle / 2.0F);
+  const float cosine = light.direction.dot(direction);
+  return inner > outer ? std::clamp((cosine - outer) / (inner - outer), 0.0F, 1.0F)
+                       : (cosine >= outer ? 1.0F : 0.0F);
+}
+
+} // namespace
+
+/** What the rays of a packet meet. */
+struct Shader::Surfaces
+{
+  std::array<Eigen::Vector3f, kPacket> position; ///< lifted off the surface by kShadowOffset
+  std::array<Eigen::Vector3f, kPacket> normal;   ///< unit, towards the viewer
+  std::array<Eigen::Vector3f, kPacket> albedo;
+  std::array<Eigen::Vector3f, kPacket> light; ///< irradiance over pi
+  std::array<Eigen::Vector3f, kPacket> emissive;
+  std::array<bool, kPacket> hit{};
+};
+
+Shader::Shader(std::shared_ptr<const Scene> scene, const Lighting &lighting, bool shadows)
+    : m_scene(std::move(scene)), m_lighting(lighting), m_shadows(shadows),
+      m_embree(*m_scene, m_scene->visuals)
+{
+  m_texelDensity.reserve(m_scene->visuals.size());
+  for (const Mesh &mesh : m_scene->visuals) {
+    m_texelDensity.push_back(texelDensity(*m_scene, mesh));
+  }
+}
+
+RadiancePacket Shader::radiance(const Eigen::Vector3f &origin, const RayPacket &rays) const
+{
+  alignas(64) std::array<int, kPacket> valid{};
+  alignas(64) RTCRayHit16 hits{};
+  for (int i = 0; i < rays.count; ++i) {
+    valid[static_cast<std::size_t>(i)] = -1;
+    hits.ray.org_x[i] = origin.x();
+    hits.ray.org_y[i] = origin.y();
+    hits.ray.org_z[i] = origin.z();
+    const Eigen::Vector3f &direction = rays.directions[static_cast<std::size_t>(i)];
+    hits.ray.dir_x[i] = direction.x();
+    hits.ray.dir_y[i] = direction.y();
+    hits.ray.dir_z[i] = direction.z();
+    hits.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    hits.ray.mask[i] = ~0U;
+    hits.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid.data(), m_embree.scene(), &context, &hits);
+
+  Surfaces surfaces;
+  for (int i = 0; i < rays.count; ++i) {
+    readSurface(hits, i, origin, rays, surfaces);
+  }
+  for (const Light &light : m_lighting.lights) {
+    addLight(light, surfaces);
+  }
+  RadiancePacket radiance;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
+    radiance[i] = surfaces.hit[i]
+                      ? Eigen::Vector3f(surfaces.albedo[i].cwiseProduct(surfaces.light[i]) +
+                                        surfaces.emissive[i])
+                      : m_lighting.background;
+  }
+  return radiance;
+}
+
+void Shader::readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3f &origin,
+                         const RayPacket &rays, Surfaces &surfaces) const
+{
+  const auto i = static_cast<std::size_t>(lane);
+  if (hits.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+    return;
+  }
+  surfaces.hit[i] = true;
+  const Mesh &mesh = m_scene->visuals[hits.hit.geomID[lane]];
+  const std::size_t triangleIndex = hits.hit.primID[lane];
+  const Eigen::Vector3i &triangle = mesh.triangles[triangleIndex];
+  const float u = hits.hit.u[lane];
+  const float v = hits.hit.v[lane];
+  const Eigen::Vector3f &direction = rays.directions[i];
+  Eigen::Vector3f flat(hits.hit.Ng_x[lane], hits.hit.Ng_y[lane], hits.hit.Ng_z[lane]);
+  flat.normalize();
+  const float cosine = -flat.dot(direction);
+  if (cosine < 0.0F) {
+    flat = -flat;
+  }
+  Eigen::Vector3f normal = flat;
+  if (!mesh.normals.empty()) {
+    const Eigen::Vector3f smooth = interpolate(mesh.normals, triangle, u, v);
+    if (const float length = smooth.norm(); length > 0.1F) {
+      normal = smooth / (smooth.dot(flat) < 0.0F ? -length : length);
+    }
+  }
+  const float range = hits.ray.tfar[lane];
+  surfaces.position[i] = origin + range * direction + kShadowOffset * flat;
+  surfaces.normal[i] = normal;
+
+  const Material &material = m_scene->materials[static_cast<std::size_t>(mesh.material)];
+  surfaces.albedo[i] = material.diffuse;
+  surfaces.emissive[i] = material.emissive;
+  const std::vector<float> &density = m_texelDensity[hits.hit.geomID[lane]];
+  if (!density.empty()) {
+    // The geometric mean of the footprint's two axes, a bit sharper than the longer one.
+    const float width = range * rays.spread[i] / std::sqrt(std::max(std::abs(cosine), 0.05F));
+    surfaces.albedo[i] = surfaces.albedo[i].cwiseProduct(
+        sampleTexture(m_scene->textures[static_cast<std::size_t>(material.texture)],
+                      interpolate(mesh.uvs, triangle, u, v), width * density[triangleIndex]));
+  }
+  const float upward = 0.5F + 0.5F * normal.z();
+  surfaces.light[i] = upward * m_lighting.sky + (1.0F - upward) * m_lighting.ground;
+}
+
+void Shader::addLight(const Light &light, Surfaces &surfaces) const
+{
+  const bool isSun = light.kind == Light::Kind::Directional;
+  const float brightness = light.colour.maxCoeff();
+  std::array<float, kPacket> strength{};
+  bool any = false;
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    if (!surfaces.hit[i]) {
+      continue;
+    }
+    const Eigen::Vector3f toLight = isSun ? Eigen::Vector3f(-light.direction)
+                                          : Eigen::Vector3f(light.position - surfaces.position[i]);
+    const float cosine = surfaces.normal[i].dot(toLight);
+    const float distance = toLight.norm();
+    if (cosine <= 0.0F || distance <= 0.0F || (!isSun && distance > light.range)) {
+      continue;
+    }
+    strength[i] = cosine / distance;
+    if (!isSun) {
+      strength[i] *= attenuation(light, distance) * spotShare(light, -toLight / distance);
+    }
+    if (strength[i] * brightness < kNegligible * surfaces.light[i].maxCoeff()) {
+      strength[i] = 0.0F;
+    }
+    any = any || strength[i] > 0.0F;
+  }
+  if (!any) {
+    return;
+  }
+  if (m_shadows && light.castsShadows) {
+    removeShadowed(light, surfaces, strength);
+  }
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    if (strength[i] > 0.0F) {
+      surfaces.light[i] += strength[i] * light.colour;
+    }
+  }
+}
+
+void Shader::removeShadowed(const Light &light, const Surfaces &surfaces,
+                            std::array<float, kPacket> &strength) const
+{
+  constexpr float kFar = 1000.0F;
+  alignas(64) std::array<int, kPacket> valid{};
+  alignas(64) RTCRay16 rays{};
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    if (strength[i] <= 0.0F) {
+      continue;
+    }
+    valid[i] = -1;
+    const Eigen::Vector3f &from = surfaces.position[i];
+    const Eigen::Vector3f way = light.kind == Light::Kind::Directional
+                                    ? Eigen::Vector3f(-kFar * light.direction)
+                                    : Eigen::Vector3f(light.position - from);
+    rays.org_x[i] = from.x();
+    rays.org_y[i] = from.y();
+    rays.org_z[i] = from.z();
+    rays.dir_x[i] = way.x();
+    rays.dir_y[i] = way.y();
+    rays.dir_z[i] = way.z();
+    // The last part is left out, so that the lamp's own body throws no shadow on everything.
+    rays.tfar[i] = light.kind == Light::Kind::Directional
+                       ? 1.0F
+                       : std::max(0.0F, 1.0F - 0.3F / std::max(way.norm(), 0.3F));
+    rays.mask[i] = ~0U;
+  }
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded16(valid.data(), m_embree.scene(), &context, &rays);
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    if (valid[i] != 0 && rays.tfar[i] < 0.0F) {
+      strength[i] = 0.0F;
+    }
+  }
+}
+
+} // namespace homeward

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ray_caster_embree.h"
+
+#include <homeward/sim/light_preset.h>
+#include <homeward/sim/scene.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace homeward
+{
+
+/** Rays in one packet, as many as Embree takes at once. */
+inline constexpr int kPacket = 16;
+
+/** Sixteen neighbouring rays from one point. */
+struct RayPacket
+{
+  std::array<Eigen::Vector3f, kPacket> directions; ///< unit, world frame
+  std::array<float, kPacket> spread;               ///< angle between neighbouring rays, radians
+  int count = 0;                                   ///< rays in use
+};
+
+/** Linear RGB that comes along each ray of a packet. */
+using RadiancePacket = std::array<Eigen::Vector3f, kPacket>;
+
+/**
+ * Says what light comes along a ray: Lambert's law on both sides of every surface, lamps with
+ * shadows, and an ambient light that differs between up and down. No interreflection.
+ *
+ * A pure function of scene and lighting; several threads may ask.
+ */
+class Shader
+{
+public:
+  Shader(std::shared_ptr<const Scene> scene, const Lighting &lighting, bool shadows);
+
+  RadiancePacket radiance(const Eigen::Vector3f &origin, const RayPacket &rays) const;
+
+private:
+  struct Surfaces;
+
+  void readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3f &origin,
+                   const RayPacket &rays, Surfaces &surfaces) const;
+  void addLight(const Light &light, Surfaces &surfaces) const;
+  void removeShadowed(const Light &light, const Surfaces &surfaces,
+                      std::array<float, kPacket> &strength) const;
+
+  std::shared_ptr<const Scene> m_scene;
+  Lighting m_lighting;
+  bool m_shadows;
+  EmbreeScene m_embree;
+  std::vector<std::vector<float>> m_texelDensity; ///< by mesh and triangle, texels a metre
+};
+
+} // namespace homeward
