@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+namespace homeward
+{
+
+/**
+ * Jeffrey divergence: sum of a log10(a / m) + b log10(b / m), m = (a + b) / 2, 0 log 0 = 0.
+ * Like all distances here: zero on itself, symmetric, and on counts proportional to their number.
+ * @param a, b counts >= 0 of the same bins
+ * @throw LogicError when the sizes differ
+ */
+double jeffreyDivergence(std::span<const float> a, std::span<const float> b);
+
+/** sum of (a - m)^2 / m, m = (a + b) / 2; bins empty in both add nothing. As jeffreyDivergence().
+ */
+double chiSquare(std::span<const float> a, std::span<const float> b);
+
+/** sum of |a - b|. As jeffreyDivergence(). */
+double sumOfAbsoluteDifferences(std::span<const float> a, std::span<const float> b);
+
+/** 1 - cosine of the angle between a and b, 0 to 2; 0 when both are zero, 1 when one is. */
+double cosineDistance(std::span<const float> a, std::span<const float> b);
+
+} // namespace homeward

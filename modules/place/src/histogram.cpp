@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/place/histogram.h>
+
+#include <homeward/core/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace homeward
+{
+
+namespace
+{
+
+void requireSameSize(std::span<const float> a, std::span<const float> b)
+{
+  if (a.size() != b.size()) {
+    throw LogicError("histograms of " + std::to_string(a.size()) + " and " +
+                     std::to_string(b.size()) + " bins cannot be compared");
+  }
+}
+
+} // namespace
+
+double jeffreyDivergence(std::span<const float> a, std::span<const float> b)
+{
+  requireSameSize(a, b);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double middle = (static_cast<double>(a[k]) + b[k]) / 2.0;
+    sum += a[k] > 0.0F ? a[k] * std::log10(a[k] / middle) : 0.0;
+    sum += b[k] > 0.0F ? b[k] * std::log10(b[k] / middle) : 0.0;
+  }
+  return std::max(0.0, sum);
+}
+
+double chiSquare(std::span<const float> a, std::span<const float> b)
+{
+  requireSameSize(a, b);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double middle = (static_cast<double>(a[k]) + b[k]) / 2.0;
+    const double difference = a[k] - middle;
+    sum += middle > 0.0 ? difference * difference / middle : 0.0;
+  }
+  return sum;
+}
+
+double sumOfAbsoluteDifferences(std::span<const float> a, std::span<const float> b)
+{
+  requireSameSize(a, b);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    sum += std::abs(static_cast<double>(a[k]) - b[k]);
+  }
+  return sum;
+}
+
+double cosineDistance(std::span<const float> a, std::span<const float> b)
+{
+  requireSameSize(a, b);
+  double ab = 0.0;
+  double aa = 0.0;
+  double bb = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ab += static_cast<double>(a[k]) * b[k];
+    aa += static_cast<double>(a[k]) * a[k];
+    bb += static_cast<double>(b[k]) * b[k];
+  }
+  if (aa == 0.0 || bb == 0.0) {
+    return aa == bb ? 0.0 : 1.0;
+  }
+  return std::max(0.0, 1.0 - ab / std::sqrt(aa * bb));
+}
+
+} // namespace homeward
