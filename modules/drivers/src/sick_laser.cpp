@@ -5,6 +5,7 @@
 #include <homeward/drivers/steady_clock.h>
 
 #include <array>
+#include <utility>
 
 namespace homeward
 {
@@ -199,10 +200,9 @@ void SickLaser::run(const std::stop_token &stop)
 
 void SickLaser::take(const SickTelegram &telegram, Time now)
 {
-  const auto expected =
-      static_cast<std::size_t>(m_options.fieldOfView * 100 / m_options.resolution + 1);
+  const int expected = m_options.fieldOfView * 100 / m_options.resolution + 1;
   const std::optional<SickScan> scan = parseSickScan(telegram);
-  if (!scan || !scan->whole || scan->counts.size() != expected) {
+  if (!scan || !scan->whole || std::cmp_not_equal(scan->counts.size(), expected)) {
     return; // another telegram, or a measurement from before the configuration
   }
   const std::lock_guard lock(m_knowing);
