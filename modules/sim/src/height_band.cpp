@@ -74,6 +74,9 @@ Eigen::AlignedBox3d boxOf(const Polygon &polygon)
 /** Marks every cell that the polygon's shadow on the floor enters. */
 void draw(const Polygon &polygon, const FloorRaster &raster, cv::Mat &occupied)
 {
+  if (polygon.size == 0) {
+    return;
+  }
   const Eigen::AlignedBox3d box = boxOf(polygon);
   const int first = std::max(raster.cell(box.min().head<2>()).y, 0);
   const int last = std::min(raster.cell(box.max().head<2>()).y, raster.rows - 1);
