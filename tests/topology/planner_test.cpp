@@ -52,6 +52,17 @@ TEST(ShortestPath, TakesTheShortSideOfTheLoop)
               Optional(ElementsAre(NodeId{0}, NodeId{4}, NodeId{5}, NodeId{6}, NodeId{7})));
 }
 
+TEST(ShortestPath, GoesRoundABlockedEdge)
+{
+  const TopologicalMap map = flat({7});
+  const EdgeId blocked = map.edgeBetween({4}, {5})->id;
+  EXPECT_THAT(
+      shortestPath(map, {4}, {5}, {blocked}),
+      Optional(ElementsAre(NodeId{4}, NodeId{0}, NodeId{1}, NodeId{2}, NodeId{3}, NodeId{5})));
+  EXPECT_EQ(pathToNearestOpen(map, {4}, {blocked})->size(), 8U);
+  EXPECT_EQ(shortestPath(map, {8}, {9}, {map.edgeBetween({8}, {9})->id}), std::nullopt);
+}
+
 TEST(ShortestPath, OfANodeToItselfIsTheNode)
 {
   EXPECT_THAT(shortestPath(flat(), {6}, {6}), Optional(ElementsAre(NodeId{6})));

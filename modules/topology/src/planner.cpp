@@ -31,11 +31,13 @@ NodeId nodeOf(Vertex vertex)
   return {static_cast<std::int64_t>(vertex)};
 }
 
-Graph graphOf(const TopologicalMap &map)
+Graph graphOf(const TopologicalMap &map, const std::set<EdgeId> &blocked)
 {
   Graph graph(map.nodes().size());
   for (const auto &[id, edge] : map.edges()) {
-    boost::add_edge(vertexOf(edge.a), vertexOf(edge.b), 1, graph);
+    if (blocked.count(id) == 0) {
+      boost::add_edge(vertexOf(edge.a), vertexOf(edge.b), 1, graph);
+    }
   }
   return graph;
 }
@@ -67,9 +69,10 @@ private:
 };
 
 /** Distances from `source`, exact for every vertex nearer than where `stop` ended the search. */
-std::vector<int> search(const TopologicalMap &map, NodeId source, const Stop &stop)
+std::vector<int> search(const TopologicalMap &map, const std::set<EdgeId> &blocked, NodeId source,
+                        const Stop &stop)
 {
-  const Graph graph = graphOf(map);
+  const Graph graph = graphOf(map, blocked);
   std::vector<int> distances(boost::num_vertices(graph), kUnreached);
   const auto distanceMap =
       boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, graph));
@@ -86,13 +89,14 @@ std::vector<int> search(const TopologicalMap &map, NodeId source, const Stop &st
 
 } // namespace
 
-std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeId from, NodeId to)
+std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeId from, NodeId to,
+                                                const std::set<EdgeId> &blocked)
 {
   map.node(from);
   map.node(to);
   // Distances to the goal, so that the walk below can take the smallest id at every step.
   const std::vector<int> toGoal =
-      search(map, to, [&](Vertex vertex, int) { return vertex == vertexOf(from); });
+      search(map, blocked, to, [&](Vertex vertex, int) { return vertex == vertexOf(from); });
   if (toGoal[vertexOf(from)] == kUnreached) {
     return std::nullopt;
   }
@@ -100,18 +104,21 @@ std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeI
   while (path.back() != to) {
     const int left = toGoal[vertexOf(path.back())];
     const std::vector<NodeId> &near = map.neighbours(path.back());
-    path.push_back(*std::find_if(near.begin(), near.end(),
-                                 [&](NodeId next) { return toGoal[vertexOf(next)] == left - 1; }));
+    path.push_back(*std::find_if(near.begin(), near.end(), [&](NodeId next) {
+      return toGoal[vertexOf(next)] == left - 1 &&
+             blocked.count(map.edgeBetween(path.back(), next)->id) == 0;
+    }));
   }
   return path;
 }
 
-std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, NodeId from)
+std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, NodeId from,
+                                                     const std::set<EdgeId> &blocked)
 {
   map.node(from);
   std::optional<NodeId> nearest;
   int nearestDistance = 0;
-  search(map, from, [&](Vertex vertex, int distance) {
+  search(map, blocked, from, [&](Vertex vertex, int distance) {
     // The heap hands out equally near vertices in no useful order: look at all of them.
     if (nearest && distance > nearestDistance) {
       return true;
@@ -123,13 +130,13 @@ std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, 
     }
     return false;
   });
-  return nearest ? shortestPath(map, from, *nearest) : std::nullopt;
+  return nearest ? shortestPath(map, from, *nearest, blocked) : std::nullopt;
 }
 
 std::map<NodeId, int> stepDistances(const TopologicalMap &map, NodeId from)
 {
   map.node(from);
-  const std::vector<int> distances = search(map, from, [](Vertex, int) { return false; });
+  const std::vector<int> distances = search(map, {}, from, [](Vertex, int) { return false; });
   std::map<NodeId, int> steps;
   for (Vertex vertex = 0; vertex < distances.size(); ++vertex) {
     if (distances[vertex] != kUnreached) {

@@ -3,25 +3,31 @@
 
 #include <homeward/topology/map.h>
 
+#include <set>
+
 namespace homeward
 {
 
 /**
  * A route with the fewest edges, both ends included; of several, the one whose ids come first
  * (compared place by place). Dijkstra's algorithm, every edge costs 1.
+ * @param blocked edges not to be used
  * @return nothing when no route exists; {from} when from equals to
  * @throw LogicError for unknown nodes
  */
-std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeId from, NodeId to);
+std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeId from, NodeId to,
+                                                const std::set<EdgeId> &blocked = {});
 
 /**
  * A shortest route to the nearest node that has an open direction, both ends included; {from} when
  * that is `from` itself. Of nodes equally near, the smallest id. The search goes no further than
  * that node's distance.
+ * @param blocked edges not to be used
  * @return nothing when no open direction can be reached
  * @throw LogicError when the node is unknown
  */
-std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, NodeId from);
+std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, NodeId from,
+                                                     const std::set<EdgeId> &blocked = {});
 
 /** Number of edges from `from` to every node that can be reached. @throw LogicError when unknown */
 std::map<NodeId, int> stepDistances(const TopologicalMap &map, NodeId from);

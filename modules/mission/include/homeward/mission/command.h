@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/core/id.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace homeward
+{
+
+/** How a mission ended. */
+enum class Outcome
+{
+  Done,    ///< everything asked for is done
+  Stopped, ///< somebody stopped it; what was reached is kept
+  Failed   ///< the reason says why it cannot go on
+};
+
+/** Look around here: a panorama and the open directions of a full turn. Answer: Surveyed. */
+struct Survey
+{};
+
+/** Turn to a direction of the node the robot stands at and drive. Answer: Driven. */
+struct DriveDirection
+{
+  double bearing = 0.0;  ///< radians, counter-clockwise from the node's stored heading
+  double distance = 0.0; ///< metres
+};
+
+/** Compare the view with every known place. Answer: Recognised. */
+struct Recognise
+{};
+
+/** Drive to a node by sight. Answer: Homed. */
+struct HomeTo
+{
+  NodeId node;
+  /** Where to look for it first: radians from the stored heading of the node stood at, if known. */
+  std::optional<double> departure;
+};
+
+/** Stand still: the mission is over. */
+struct Finish
+{
+  Outcome outcome = Outcome::Done;
+  std::string reason;
+};
+
+/** What the pilot is to do next. */
+using Command = std::variant<Survey, DriveDirection, Recognise, HomeTo, Finish>;
+
+} // namespace homeward

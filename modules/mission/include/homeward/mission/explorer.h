@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/mission/report.h>
+#include <homeward/mission/step.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace homeward
+{
+
+/** Where an exploration stands; a plain value. */
+struct ExplorerState
+{
+  enum class Phase
+  {
+    Surveying,   ///< a new node is being made
+    Driving,     ///< along a direction
+    Classifying, ///< is this a known place?
+    Homing,      ///< to the known place recognised after a drive
+    Following,   ///< the planned route to a node with an open direction
+    Relocating,  ///< a leg of the route failed: where is this?
+    Returning,   ///< to the place found by relocating
+    Finished
+  };
+
+  Phase phase = Phase::Surveying;
+  std::optional<NodeId> origin;         ///< the node stood at last
+  std::optional<DirectionId> direction; ///< of origin, being driven
+  std::vector<NodeId> route;            ///< still to visit, the next first
+  std::optional<NodeId> target;         ///< of the homing under way
+  double dissimilarity = 0.0;           ///< of the place recognised
+  int retries = 0;                      ///< since the last node stood at
+  std::map<EdgeId, int> failures;       ///< legs that were not driven to their end
+};
+
+/** Settings of an exploration. */
+struct ExplorerOptions
+{
+  double forwardDistance = 2.0; ///< metres driven along a direction before looking
+  double shortestDrive = 0.6;   ///< metres; a drive blocked before is no new place
+  /** Radians: an open direction this near to a driven way is settled with it; 0 is the seed's
+   * behaviour. */
+  double settledAngle = 0.6;
+  int legTries = 2;   ///< failures after which an edge is no longer planned over
+  int maxNodes = 400; ///< a map that grows beyond is a fault, not a building
+
+  /** Longest way, metres, that an edge may stand for. */
+  double longestEdge() const { return 2.0 * forwardDistance + 1.0; }
+};
+
+/**
+ * Explores until no node has an open direction: a pure state machine over (state, map, report).
+ *
+ * | phase       | report     | next |
+ * |-------------|------------|-----------------------------------------------------------------------|
+ * | Surveying   | Surveyed   | node, edge to the node left; then leave the node | | Driving     |
+ * Driven     | Classifying; home to the node left when blocked at once               | |
+ * Classifying | Recognised | Homing to the verified place; Surveying when there is none | | Homing
+ * | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  | |
+ * Following   | Homed      | arrived: next leg, leave the last node; else Relocating | | Relocating
+ * | Recognised | Returning to the best place; Surveying when there is none             | |
+ * Returning   | Homed      | arrived: leave the node; else Surveying |
+ *
+ * To leave a node is to drive its next open direction (Driving), else to follow the route to the
+ * nearest node with one (Following), else Finished. \cite Thesis, ch. 4.1
+ */
+class Explorer
+{
+public:
+  using State = ExplorerState;
+
+  /** @throw LogicError for a distance that is not positive */
+  explicit Explorer(const ExplorerOptions &options);
+
+  /** The first step: on an empty map a survey, else a look at which known place this is. */
+  Step<State> start(const TopologicalMap &map) const;
+
+  /** The step that follows a report. @throw LogicError when the report does not answer the phase */
+  Step<State> next(const State &state, const TopologicalMap &map, const Report &report) const;
+
+private:
+  ExplorerOptions m_options;
+};
+
+} // namespace homeward

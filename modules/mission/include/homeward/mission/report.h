@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/core/id.h>
+#include <homeward/laser/open_directions.h>
+
+#include <variant>
+#include <vector>
+
+namespace homeward
+{
+
+/** The way since the node the robot stood at last, by odometry; good over a few metres only. */
+struct Chord
+{
+  double distance = 0.0;        ///< straight, metres
+  double travelled = 0.0;       ///< along the path driven, metres
+  double bearingAtOrigin = 0.0; ///< radians from the stored heading of the node left
+  double bearingAtHere = 0.0;   ///< back to it; radians from the heading of the place reached
+};
+
+/** One known place that the view may show. */
+struct PlaceMatch
+{
+  NodeId node;
+  double probability = 0.0;   ///< that the view and the node see the same surroundings, 0 to 1
+  bool verified = false;      ///< the pair comparison says: this is that place
+  double dissimilarity = 0.0; ///< of the signatures, on the scale of the seed's thresholds
+};
+
+/** Answer to Survey. */
+struct Surveyed
+{
+  std::vector<OpenDirection> directions; ///< bearings from the robot's heading when it looked
+  Chord chord;
+};
+
+/** Answer to DriveDirection. */
+struct Driven
+{
+  bool blocked = false; ///< stopped by something before the distance was reached
+  Chord chord;
+};
+
+/** Answer to Recognise. */
+struct Recognised
+{
+  std::vector<PlaceMatch> matches; ///< best first
+};
+
+/** How a homing ended. */
+enum class HomingEnd
+{
+  Arrived,
+  Lost,    ///< the views no longer tell the way
+  Blocked, ///< no free way towards it
+  TimedOut
+};
+
+/** Answer to HomeTo. */
+struct Homed
+{
+  HomingEnd end = HomingEnd::Lost;
+  Chord chord;
+};
+
+/** Somebody asked the robot to stop; it stands. */
+struct Interrupted
+{};
+
+/** What the pilot says when a command has ended. Never an image. */
+using Report = std::variant<Surveyed, Driven, Recognised, Homed, Interrupted>;
+
+} // namespace homeward

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/mission/command.h>
+#include <homeward/topology/map.h>
+
+#include <string>
+#include <vector>
+
+namespace homeward
+{
+
+/**
+ * What one report leads to. The changes go into the map, in one transaction with the log lines,
+ * before the command is given.
+ */
+template <class State> struct Step
+{
+  State state;
+  Command command;
+  std::vector<MapChange> changes;
+  std::vector<std::string> log; ///< lines of the seed's tables, "State | Node | Dissimilarity"
+};
+
+} // namespace homeward

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/mission/explorer.h>
+
+#include "mission_words.h"
+
+#include <homeward/core/angle.h>
+#include <homeward/core/error.h>
+#include <homeward/topology/planner.h>
+
+#include <algorithm>
+
+namespace homeward
+{
+namespace
+{
+
+using Phase = ExplorerState::Phase;
+
+/** One step in the making: a copy of the state and of the map that grows with the changes. */
+class Stepper
+{
+public:
+  Stepper(const ExplorerOptions &options, const ExplorerState &state, const TopologicalMap &map)
+      : m_options(options), m_map(map), m_step{state, Finish{}, {}, {}}
+  {}
+
+  Step<ExplorerState> take() { return std::move(m_step); }
+
+  void start()
+  {
+    if (m_map.nodes().empty()) {
+      survey();
+    }
+    else {
+      ask(Phase::Relocating, Recognise{});
+    }
+  }
+
+  void surveyed(const Surveyed &report)
+  {
+    const NodeId node = m_map.nextNodeId();
+    Node added{node, {}};
+    for (const OpenDirection &open : report.directions) {
+      added.directions.push_back({DirectionId{static_cast<std::int64_t>(added.directions.size())},
+                                  open.bearing, open.width, DirectionState::Open, ""});
+    }
+    change(NodeAdded{added});
+    if (m_step.state.origin) {
+      m_step.log.push_back(
+          explorationLine("Exploration", *m_step.state.origin, node, std::nullopt));
+    }
+    connect(node, report.chord);
+    leave(node);
+  }
+
+  void driven(const Driven &report)
+  {
+    if (report.blocked && report.chord.distance < m_options.shortestDrive) {
+      settle(DirectionState::Closed, "blocked");
+      m_step.state.direction.reset();
+      home(Phase::Homing, *m_step.state.origin, std::nullopt);
+      return;
+    }
+    ask(Phase::Classifying, Recognise{});
+  }
+
+  void classified(const Recognised &report)
+  {
+    const auto known = std::find_if(report.matches.begin(), report.matches.end(),
+                                    [](const PlaceMatch &match) { return match.verified; });
+    if (known == report.matches.end()) {
+      survey();
+      return;
+    }
+    if (known->node == m_step.state.origin) {
+      settle(DirectionState::Closed, "leads back to the same place");
+    }
+    m_step.state.dissimilarity = known->dissimilarity;
+    home(Phase::Homing, known->node, std::nullopt);
+  }
+
+  void homed(const Homed &report)
+  {
+    ExplorerState &state = m_step.state;
+    const NodeId target = *state.target;
+    if (report.end == HomingEnd::Arrived) {
+      if (state.direction && state.origin) {
+        m_step.log.push_back(
+            explorationLine("Exploration(Homing)", *state.origin, target, state.dissimilarity));
+      }
+      connect(target, report.chord);
+      leave(target);
+    }
+    else if (state.retries++ == 0) {
+      ask(Phase::Classifying, Recognise{});
+    }
+    else {
+      survey();
+    }
+  }
+
+  void followed(const Homed &report)
+  {
+    ExplorerState &state = m_step.state;
+    if (report.end == HomingEnd::Arrived) {
+      const NodeId reached = state.route.front();
+      state.route.erase(state.route.begin());
+      state.origin = reached;
+      state.retries = 0;
+      if (state.route.empty()) {
+        leave(reached);
+      }
+      else {
+        followRoute();
+      }
+      return;
+    }
+    if (const auto edge = m_map.edgeBetween(*state.origin, state.route.front())) {
+      ++state.failures[edge->id];
+    }
+    ask(Phase::Relocating, Recognise{});
+  }
+
+  void relocated(const Recognised &report)
+  {
+    const std::optional<NodeId> place = likeliestPlace(report.matches);
+    if (!place || m_step.state.retries++ > 1) {
+      survey();
+      return;
+    }
+    home(Phase::Returning, *place, std::nullopt);
+  }
+
+  void returned(const Homed &report)
+  {
+    if (report.end == HomingEnd::Arrived) {
+      leave(*m_step.state.target);
+    }
+    else {
+      ask(Phase::Relocating, Recognise{});
+    }
+  }
+
+  void finish(Outcome outcome, const std::string &reason)
+  {
+    m_step.state.phase = Phase::Finished;
+    m_step.command = Finish{outcome, reason};
+    if (outcome == Outcome::Done) {
+      m_step.log.push_back("EXPLORATION DONE - -");
+    }
+  }
+
+private:
+  void ask(Phase phase, const Command &command)
+  {
+    m_step.state.phase = phase;
+    m_step.command = command;
+  }
+
+  void survey() { ask(Phase::Surveying, Survey{}); }
+
+  void home(Phase phase, NodeId node, std::optional<double> departure)
+  {
+    m_step.state.target = node;
+    ask(phase, HomeTo{node, departure});
+  }
+
+  void change(const MapChange &made)
+  {
+    m_map.apply(made);
+    m_step.changes.push_back(made);
+  }
+
+  /** Settles the direction that is being driven, if one is. */
+  void settle(DirectionState to, const std::string &reason)
+  {
+    const ExplorerState &state = m_step.state;
+    if (state.origin && state.direction) {
+      for (const Direction &direction : m_map.node(*state.origin).directions) {
+        if (direction.id == *state.direction && direction.state == DirectionState::Open) {
+          change(DirectionSettled{*state.origin, *state.direction, to, reason});
+          return;
+        }
+      }
+    }
+  }
+
+  /** Settles the open directions of `node` that lead along a way already driven. */
+  void settleAlong(NodeId node, double bearing, NodeId other)
+  {
+    const std::vector<Direction> directions = m_map.node(node).directions;
+    for (const Direction &direction : directions) {
+      if (direction.state == DirectionState::Open &&
+          std::abs(wrapAngle(direction.bearing - bearing)) < m_options.settledAngle) {
+        change(DirectionSettled{node, direction.id, DirectionState::Driven,
+                                "leads to node " + std::to_string(other.value)});
+      }
+    }
+  }
+
+  /** Records the way from the node left to `node`, where the robot now stands. */
+  void connect(NodeId node, const Chord &chord)
+  {
+    const ExplorerState &state = m_step.state;
+    if (!state.origin || *state.origin == node) {
+      return;
+    }
+    const NodeId origin = *state.origin;
+    settle(DirectionState::Driven, "led to node " + std::to_string(node.value));
+    if (chord.travelled > m_options.longestEdge()) {
+      return;
+    }
+    if (!m_map.edgeBetween(origin, node)) {
+      change(EdgeAdded{
+          Edge{m_map.nextEdgeId(), origin, node, chord.bearingAtOrigin, chord.bearingAtHere}});
+    }
+    settleAlong(origin, chord.bearingAtOrigin, node);
+    settleAlong(node, chord.bearingAtHere, origin);
+  }
+
+  void leave(NodeId node)
+  {
+    ExplorerState &state = m_step.state;
+    state.origin = node;
+    state.direction.reset();
+    state.target.reset();
+    state.route.clear();
+    state.retries = 0;
+    if (static_cast<int>(m_map.nodes().size()) > m_options.maxNodes) {
+      finish(Outcome::Failed, "the map has grown beyond " + std::to_string(m_options.maxNodes) +
+                                  " nodes; places are not recognised again");
+      return;
+    }
+    for (const Direction &direction : m_map.node(node).directions) {
+      if (direction.state == DirectionState::Open) {
+        state.direction = direction.id;
+        ask(Phase::Driving, DriveDirection{direction.bearing, m_options.forwardDistance});
+        return;
+      }
+    }
+    plan(node);
+  }
+
+  void plan(NodeId node)
+  {
+    std::set<EdgeId> blocked;
+    for (const auto &[edge, count] : m_step.state.failures) {
+      if (count >= m_options.legTries) {
+        blocked.insert(edge);
+      }
+    }
+    const auto path = pathToNearestOpen(m_map, node, blocked);
+    if (!path) {
+      finish(Outcome::Done, "no reachable node has an open direction");
+      return;
+    }
+    m_step.log.push_back(routeLine("Path planning", *path));
+    m_step.state.route.assign(path->begin() + 1, path->end());
+    followRoute();
+  }
+
+  void followRoute()
+  {
+    const ExplorerState &state = m_step.state;
+    home(Phase::Following, state.route.front(),
+         m_map.departureBearing(*state.origin, state.route.front()));
+  }
+
+  const ExplorerOptions &m_options;
+  TopologicalMap m_map;
+  Step<ExplorerState> m_step;
+};
+
+} // namespace
+
+Explorer::Explorer(const ExplorerOptions &options) : m_options(options)
+{
+  if (!(options.forwardDistance > 0.0)) {
+    throw LogicError("forwardDistance must be positive, not " +
+                     std::to_string(options.forwardDistance));
+  }
+}
+
+Step<ExplorerState> Explorer::start(const TopologicalMap &map) const
+{
+  Stepper stepper(m_options, ExplorerState{}, map);
+  stepper.start();
+  return stepper.take();
+}
+
+Step<ExplorerState> Explorer::next(const State &state, const TopologicalMap &map,
+                                   const Report &report) const
+{
+  Stepper stepper(m_options, state, map);
+  if (std::holds_alternative<Interrupted>(report)) {
+    stepper.finish(Outcome::Stopped, "interrupted");
+    return stepper.take();
+  }
+  switch (state.phase) {
+  case Phase::Surveying:
+    stepper.surveyed(answer<Surveyed>(report));
+    break;
+  case Phase::Driving:
+    stepper.driven(answer<Driven>(report));
+    break;
+  case Phase::Classifying:
+    stepper.classified(answer<Recognised>(report));
+    break;
+  case Phase::Homing:
+    stepper.homed(answer<Homed>(report));
+    break;
+  case Phase::Following:
+    stepper.followed(answer<Homed>(report));
+    break;
+  case Phase::Relocating:
+    stepper.relocated(answer<Recognised>(report));
+    break;
+  case Phase::Returning:
+    stepper.returned(answer<Homed>(report));
+    break;
+  case Phase::Finished:
+    throw LogicError("the exploration has finished; no report can follow");
+  }
+  return stepper.take();
+}
+
+} // namespace homeward

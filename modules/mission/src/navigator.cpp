@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/mission/navigator.h>
+
+#include "mission_words.h"
+
+#include <homeward/core/error.h>
+#include <homeward/topology/planner.h>
+
+#include <algorithm>
+#include <set>
+
+namespace homeward
+{
+namespace
+{
+
+using Phase = NavigatorState::Phase;
+
+/** One step in the making. */
+class Stepper
+{
+public:
+  Stepper(const NavigatorOptions &options, const NavigatorState &state, const TopologicalMap &map)
+      : m_options(options), m_map(map), m_step{state, Finish{}, {}, {}}
+  {}
+
+  Step<NavigatorState> take() { return std::move(m_step); }
+
+  void locate()
+  {
+    if (++m_step.state.looks > m_options.maxLooks) {
+      finish(Outcome::Failed, "lost: no recognised place could be reached");
+      return;
+    }
+    m_step.state.phase = Phase::Locating;
+    m_step.command = Recognise{};
+  }
+
+  /** Approaches the likeliest place; one that was approached in vain gives way to others. */
+  void located(const Recognised &report)
+  {
+    std::vector<PlaceMatch> matches = report.matches;
+    for (PlaceMatch &match : matches) {
+      const auto vain = m_step.state.vain.find(match.node);
+      if (vain != m_step.state.vain.end() && vain->second >= m_options.legTries) {
+        match.verified = false;
+        match.probability = 0.0;
+      }
+    }
+    const std::optional<NodeId> place = likeliestPlace(matches);
+    if (!place) {
+      finish(Outcome::Failed, "lost: this view shows no known place");
+      return;
+    }
+    m_step.state.phase = Phase::Approaching;
+    m_step.state.route = {*place};
+    m_step.command = HomeTo{*place, std::nullopt};
+  }
+
+  void approached(const Homed &report)
+  {
+    const NodeId place = m_step.state.route.front();
+    if (report.end != HomingEnd::Arrived) {
+      ++m_step.state.vain[place];
+      locate();
+      return;
+    }
+    stand(place);
+    plan();
+  }
+
+  void followed(const Homed &report)
+  {
+    NavigatorState &state = m_step.state;
+    const NodeId target = state.route.front();
+    const NodeId from = *state.here;
+    if (report.end != HomingEnd::Arrived) {
+      if (const auto edge = m_map.edgeBetween(from, target)) {
+        ++state.failures[edge->id];
+      }
+      locate();
+      return;
+    }
+    m_step.log.push_back(explorationLine("Navigation", from, target, std::nullopt));
+    state.route.erase(state.route.begin());
+    stand(target);
+    if (state.route.empty()) {
+      arrive();
+    }
+    else {
+      followRoute();
+    }
+  }
+
+  void finish(Outcome outcome, const std::string &reason)
+  {
+    m_step.state.phase = Phase::Finished;
+    m_step.command = Finish{outcome, reason};
+  }
+
+private:
+  void stand(NodeId node)
+  {
+    m_step.state.here = node;
+    m_step.state.visited.push_back(node);
+  }
+
+  void arrive()
+  {
+    m_step.log.push_back("NAVIGATION DONE -");
+    finish(Outcome::Done, "arrived at node " + std::to_string(m_step.state.goal.value));
+  }
+
+  void plan()
+  {
+    NavigatorState &state = m_step.state;
+    std::set<EdgeId> blocked;
+    for (const auto &[edge, count] : state.failures) {
+      if (count >= m_options.legTries) {
+        blocked.insert(edge);
+      }
+    }
+    const auto path = shortestPath(m_map, *state.here, state.goal, blocked);
+    if (!path) {
+      finish(Outcome::Failed, "unreachable: no way from node " + std::to_string(state.here->value) +
+                                  " to node " + std::to_string(state.goal.value));
+      return;
+    }
+    state.route.assign(path->begin() + 1, path->end());
+    if (state.route.empty()) {
+      arrive();
+      return;
+    }
+    m_step.log.push_back(routeLine("Path planning", *path));
+    followRoute();
+  }
+
+  void followRoute()
+  {
+    NavigatorState &state = m_step.state;
+    state.phase = Phase::Following;
+    m_step.command =
+        HomeTo{state.route.front(), m_map.departureBearing(*state.here, state.route.front())};
+  }
+
+  const NavigatorOptions &m_options;
+  const TopologicalMap &m_map;
+  Step<NavigatorState> m_step;
+};
+
+} // namespace
+
+Navigator::Navigator(const NavigatorOptions &options) : m_options(options) {}
+
+Step<NavigatorState> Navigator::start(const TopologicalMap &map, NodeId goal) const
+{
+  if (!map.nodes().contains(goal)) {
+    throw LogicError("the map has no node " + std::to_string(goal.value));
+  }
+  NavigatorState state;
+  state.goal = goal;
+  Stepper stepper(m_options, state, map);
+  stepper.locate();
+  return stepper.take();
+}
+
+Step<NavigatorState> Navigator::next(const State &state, const TopologicalMap &map,
+                                     const Report &report) const
+{
+  Stepper stepper(m_options, state, map);
+  if (std::holds_alternative<Interrupted>(report)) {
+    stepper.finish(Outcome::Stopped, "interrupted");
+    return stepper.take();
+  }
+  switch (state.phase) {
+  case Phase::Locating:
+    stepper.located(answer<Recognised>(report));
+    break;
+  case Phase::Approaching:
+    stepper.approached(answer<Homed>(report));
+    break;
+  case Phase::Following:
+    stepper.followed(answer<Homed>(report));
+    break;
+  case Phase::Finished:
+    throw LogicError("the navigation has finished; no report can follow");
+  }
+  return stepper.take();
+}
+
+} // namespace homeward

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid_world.h"
+
+#include <homeward/core/error.h>
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+namespace homeward
+{
+namespace
+{
+
+struct Tour
+{
+  TopologicalMap map;
+  Finish finish;
+  std::vector<std::string> log;
+  int steps = 0;
+};
+
+Tour explore(GridWorld &world, const ExplorerOptions &options)
+{
+  const Explorer explorer(options);
+  Tour run;
+  Step<ExplorerState> step = explorer.start(run.map);
+  for (; run.steps < 2000; ++run.steps) {
+    for (const MapChange &change : step.changes) {
+      run.map.apply(change);
+    }
+    world.follow(step.changes);
+    run.log.insert(run.log.end(), step.log.begin(), step.log.end());
+    if (const auto *finish = std::get_if<Finish>(&step.command)) {
+      run.finish = *finish;
+      return run;
+    }
+    step = explorer.next(step.state, run.map, world.execute(step.command));
+  }
+  ADD_FAILURE() << "the exploration does not end";
+  return run;
+}
+
+//  A ring of eight places round a table, with a dead end.
+std::vector<std::string> ring()
+{
+  return {"....", ".#.#", "...#"};
+}
+
+ExplorerOptions oneMetre()
+{
+  return {.forwardDistance = 1.0};
+}
+
+TEST(Explorer, EndsWithEveryPlaceKnownOnce)
+{
+  GridWorld world(ring(), {0, 0});
+  const Tour run = explore(world, oneMetre());
+  EXPECT_EQ(run.finish.outcome, Outcome::Done);
+  const std::set<GridWorld::Cell> places(world.nodes.begin(), world.nodes.end());
+  EXPECT_EQ(places.size(), 9U);
+  EXPECT_EQ(world.nodes.size(), 9U);
+  EXPECT_EQ(run.map.openDirectionCount(), 0);
+}
+
+TEST(Explorer, JoinsOnlyNeighbours)
+{
+  GridWorld world(ring(), {2, 2});
+  const Tour run = explore(world, oneMetre());
+  EXPECT_EQ(run.map.edges().size(), 9U); // eight round the ring, one to the dead end
+  for (const auto &[id, edge] : run.map.edges()) {
+    const auto a = world.nodes[static_cast<std::size_t>(edge.a.value)];
+    const auto b = world.nodes[static_cast<std::size_t>(edge.b.value)];
+    EXPECT_EQ(std::abs(a.first - b.first) + std::abs(a.second - b.second), 1);
+  }
+}
+
+TEST(Explorer, SeedsBehaviourDrivesEveryDirection)
+{
+  GridWorld world({"..", ".."}, {0, 0});
+  const Tour seed = explore(world, {.forwardDistance = 1.0, .settledAngle = 0.0});
+  GridWorld again({"..", ".."}, {0, 0});
+  const Tour ours = explore(again, oneMetre());
+  EXPECT_EQ(seed.finish.outcome, Outcome::Done);
+  EXPECT_EQ(seed.map.edges().size(), ours.map.edges().size());
+  EXPECT_GT(seed.steps, ours.steps);
+}
+
+TEST(Explorer, WritesTheSeedsTable)
+{
+  GridWorld world({"..", ".."}, {0, 0});
+  const Tour run = explore(world, oneMetre());
+  EXPECT_THAT(run.log, testing::ElementsAre(
+                           "Exploration 0 - 1 -", "Exploration 1 - 2 -", "Exploration 2 - 3 -",
+                           "Exploration(Homing) 3 - 0 100.0", "EXPLORATION DONE - -"));
+}
+
+TEST(Explorer, FailedHomingsMakeNoFalseEdge)
+{
+  for (int failures = 1; failures < 12; ++failures) {
+    GridWorld world(ring(), {0, 0});
+    world.homingFailures = failures;
+    const Tour run = explore(world, oneMetre());
+    EXPECT_EQ(run.finish.outcome, Outcome::Done) << failures;
+    for (const auto &[id, edge] : run.map.edges()) {
+      const auto a = world.nodes[static_cast<std::size_t>(edge.a.value)];
+      const auto b = world.nodes[static_cast<std::size_t>(edge.b.value)];
+      EXPECT_LE(std::abs(a.first - b.first) + std::abs(a.second - b.second), 1) << failures;
+    }
+  }
+}
+
+TEST(Explorer, BlockedAtOnceClosesTheDirection)
+{
+  const Explorer explorer(oneMetre());
+  TopologicalMap map;
+  auto step = explorer.start(map);
+  step = explorer.next(step.state, map, Surveyed{{{0.0, 1.0, 3.0}}, {}});
+  for (const MapChange &change : step.changes) {
+    map.apply(change);
+  }
+  ASSERT_TRUE(std::holds_alternative<DriveDirection>(step.command));
+  step = explorer.next(step.state, map, Driven{true, {0.2, 0.2, 0.0, kPi}});
+  ASSERT_EQ(step.changes.size(), 1U);
+  const auto &settled = std::get<DirectionSettled>(step.changes[0]);
+  EXPECT_EQ(settled.state, DirectionState::Closed);
+  EXPECT_EQ(settled.reason, "blocked");
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
+}
+
+TEST(Explorer, StopsWhenInterrupted)
+{
+  const Explorer explorer(oneMetre());
+  const auto step = explorer.next(explorer.start({}).state, {}, Interrupted{});
+  EXPECT_EQ(std::get<Finish>(step.command).outcome, Outcome::Stopped);
+}
+
+TEST(Explorer, RefusesAReportThatAnswersNothing)
+{
+  const Explorer explorer(oneMetre());
+  EXPECT_THROW(explorer.next(explorer.start({}).state, {}, Driven{}), LogicError);
+  EXPECT_THROW(Explorer({.forwardDistance = 0.0}), LogicError);
+}
+
+TEST(Explorer, ResumesByLookingWhereItIs)
+{
+  TopologicalMap map;
+  map.apply(NodeAdded{{NodeId{0}, {}}});
+  const Explorer explorer(oneMetre());
+  EXPECT_TRUE(std::holds_alternative<Recognise>(explorer.start(map).command));
+}
+
+} // namespace
+} // namespace homeward

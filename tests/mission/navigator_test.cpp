@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid_world.h"
+
+#include <homeward/core/error.h>
+
+#include <gtest/gtest.h>
+
+namespace homeward
+{
+namespace
+{
+
+//  0 - 1 - 2
+//      |
+//      3        4 stands alone
+struct NavigatorTest : testing::Test
+{
+  NavigatorTest() : world({"...", ".. ", "  ."}, {0, 0})
+  {
+    for (std::int64_t i = 0; i < 5; ++i) {
+      map.apply(NodeAdded{{NodeId{i}, {}}});
+    }
+    map.apply(EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.0, kPi - 0.001}});
+    map.apply(EdgeAdded{{EdgeId{1}, NodeId{1}, NodeId{2}, 0.0, kPi - 0.001}});
+    map.apply(EdgeAdded{{EdgeId{2}, NodeId{1}, NodeId{3}}});
+    world.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 2}};
+  }
+
+  Finish navigate(NodeId goal)
+  {
+    const Navigator navigator({});
+    auto step = navigator.start(map, goal);
+    for (int i = 0; i < 200; ++i) {
+      if (const auto *finish = std::get_if<Finish>(&step.command)) {
+        last = step.state;
+        return *finish;
+      }
+      step = navigator.next(step.state, map, world.execute(step.command));
+    }
+    ADD_FAILURE() << "the navigation does not end";
+    return {};
+  }
+
+  TopologicalMap map;
+  GridWorld world;
+  NavigatorState last;
+};
+
+TEST_F(NavigatorTest, FollowsTheShortestPath)
+{
+  EXPECT_EQ(navigate(NodeId{3}).outcome, Outcome::Done);
+  EXPECT_EQ(last.visited, (std::vector<NodeId>{NodeId{0}, NodeId{1}, NodeId{3}}));
+}
+
+TEST_F(NavigatorTest, IsThereWhenItStandsAtTheGoal)
+{
+  EXPECT_EQ(navigate(NodeId{0}).outcome, Outcome::Done);
+  EXPECT_EQ(world.homedTo.size(), 1U);
+}
+
+TEST_F(NavigatorTest, SaysUnreachable)
+{
+  const Finish finish = navigate(NodeId{4});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_NE(finish.reason.find("unreachable"), std::string::npos);
+}
+
+TEST_F(NavigatorTest, TriesAgainAfterAFailedLeg)
+{
+  world.homingFailures = 1;
+  EXPECT_EQ(navigate(NodeId{2}).outcome, Outcome::Done);
+}
+
+TEST_F(NavigatorTest, SaysLostWhenNoPlaceCanBeReached)
+{
+  world.homingFailures = 1000;
+  const Finish finish = navigate(NodeId{2});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_NE(finish.reason.find("lost"), std::string::npos);
+}
+
+TEST_F(NavigatorTest, RefusesAnUnknownGoal)
+{
+  EXPECT_THROW(Navigator({}).start(map, NodeId{9}), LogicError);
+}
+
+} // namespace
+} // namespace homeward
