@@ -86,7 +86,7 @@ void PioneerBase::sayGoodbye()
     send(arcosCommand(ArcosCommand::Enable, 0));
     send(arcosCommand(ArcosCommand::Close, 1));
   }
-  catch (const DeviceError &) { // NOLINT(bugprone-empty-catch): it is gone, so it cannot be told
+  catch (const DeviceError &) { // it is gone, so it cannot be told
   }
 }
 

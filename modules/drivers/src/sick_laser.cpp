@@ -90,7 +90,7 @@ SickLaser::~SickLaser()
   try {
     m_stream->write(frameSick({kSickHost, {kMode, kOnRequest}}));
   }
-  catch (const DeviceError &) { // NOLINT(bugprone-empty-catch): it is gone, so it cannot be told
+  catch (const DeviceError &) { // it is gone, so it cannot be told
   }
 }
 

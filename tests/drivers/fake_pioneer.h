@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/drivers/protocol/arcos.h>
+
+#include "fake_device.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace homeward
+{
+
+/** A robot that shakes hands, believes its orders and sends a SIP every 20 ms. */
+class FakePioneer final : public FakeDevice
+{
+public:
+  explicit FakePioneer(int descriptor, std::string subclass = "p3at-sh", bool open = false)
+      : FakeDevice(descriptor), m_subclass(std::move(subclass)), m_open(open)
+  {
+    start();
+  }
+  ~FakePioneer() override { stop(); }
+
+  /** True when the commands came in this order, others between them allowed. */
+  bool heard(const std::vector<ArcosPacket> &wanted)
+  {
+    return eventually([&] {
+      auto next = wanted.begin();
+      for (const ArcosPacket &command : m_heard) {
+        if (next != wanted.end() && command == *next) {
+          ++next;
+        }
+      }
+      return next == wanted.end();
+    });
+  }
+
+  void forget()
+  {
+    const std::lock_guard lock(m_mutex);
+    m_heard.clear();
+  }
+
+  /** Sends no more packets, as if a cable were cut on one side. */
+  void fallSilent()
+  {
+    const std::lock_guard lock(m_mutex);
+    m_silent = true;
+  }
+
+  void setSonars(std::vector<ArcosSonar> sonars)
+  {
+    const std::lock_guard lock(m_mutex);
+    m_sip.sonars = std::move(sonars);
+  }
+
+  void setStalled()
+  {
+    const std::lock_guard lock(m_mutex);
+    m_sip.stall = 0x0101;
+  }
+
+private:
+  static constexpr Duration kCycle = std::chrono::milliseconds(20);
+
+  void serve(std::span<const std::uint8_t> bytes, Time now) override
+  {
+    m_reader.push(bytes, now);
+    while (const std::optional<ArcosPacket> packet = m_reader.next()) {
+      m_heard.push_back(*packet);
+      obey(*packet);
+    }
+    if (m_open && !m_silent && now - m_lastSip >= kCycle) {
+      m_lastSip = now;
+      m_sip.x = static_cast<std::uint16_t>(m_sip.x + m_sip.leftSpeed / 50);
+      send(frameArcos(encodeSip(m_sip)));
+    }
+  }
+
+  void obey(const ArcosPacket &packet)
+  {
+    const auto is = [&](ArcosCommand command) {
+      return packet.id == static_cast<std::uint8_t>(command);
+    };
+    if (!m_open) {
+      if (is(ArcosCommand::Open) && m_synced) {
+        m_open = true;
+      }
+      else if (is(ArcosCommand::Sync2)) {
+        m_synced = true;
+        send(frameArcos(encodeIdentity({"fake", "Pioneer", m_subclass})));
+      }
+      else {
+        send(frameArcos(packet));
+      }
+    }
+    else if (is(ArcosCommand::Close)) {
+      m_open = m_synced = false;
+    }
+    else if (is(ArcosCommand::Vel)) {
+      const auto speed = static_cast<std::int16_t>(arcosArgument(packet).value_or(0));
+      m_sip.leftSpeed = m_sip.rightSpeed = speed;
+    }
+  }
+
+  std::string m_subclass;
+  bool m_open;
+  bool m_synced = false;
+  bool m_silent = false;
+  ArcosReader m_reader;
+  std::vector<ArcosPacket> m_heard;
+  ArcosSip m_sip;
+  Time m_lastSip{};
+};
+
+} // namespace homeward
