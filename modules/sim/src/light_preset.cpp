@@ -20,7 +20,7 @@ constexpr std::array kNames = {std::pair{std::string_view("day"), LightPreset::D
                                std::pair{std::string_view("night"), LightPreset::Night},
                                std::pair{std::string_view("two_lamps"), LightPreset::TwoLamps}};
 
-constexpr float kSpacing = 4.5F;    ///< of added lamps, metres
+constexpr float kSpacing = 6.0F;    ///< of added lamps, metres
 constexpr int kMostLamps = 24;      ///< the grid widens rather than have more
 constexpr float kFloorSpace = 1.5F; ///< a lamp needs this much free height below, metres
 constexpr float kHang = 0.25F;      ///< a lamp hangs this far below its ceiling, metres

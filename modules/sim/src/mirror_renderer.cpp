@@ -215,10 +215,10 @@ private:
       std::uint64_t bits =
           mix(frameSeed + 0x9e3779b97f4a7c15ULL * (static_cast<std::uint64_t>(pixel) + 1U));
       const Eigen::Vector3f signal = gain * m_signal[static_cast<std::size_t>(pixel)];
+      const float deviation = std::sqrt(read * read + shot * shot * signal.mean());
       for (int channel = 0; channel < 3; ++channel) {
-        const float clean = std::min(signal[channel], 4.0F);
-        const float deviation = std::sqrt(read * read + shot * shot * clean);
-        const float noisy = std::clamp(clean + deviation * nearlyNormal(bits), 0.0F, 1.0F);
+        const float noisy =
+            std::clamp(signal[channel] + deviation * nearlyNormal(bits), 0.0F, 1.0F);
         out[column][2 - channel] = m_toneCurve[static_cast<std::size_t>(noisy * kToneSteps + 0.5F)];
         bits >>= 21U;
       }

@@ -14,7 +14,8 @@ namespace
 {
 
 constexpr float kShadowOffset = 2e-3F; ///< start of a shadow ray above its surface, metres
-constexpr float kNegligible = 0.004F;  ///< a lamp below this share of the ambient light is skipped
+constexpr float kNegligible = 0.01F;   ///< a lamp below this share of the light so far is skipped
+constexpr float kLampBody = 0.3F;      ///< shadows are not cast from nearer to a lamp, metres
 
 /** Texels a metre along each triangle of a mesh; empty without texture. */
 std::vector<float> texelDensity(const Scene &scene, const Mesh &mesh)
@@ -54,25 +55,20 @@ Value interpolate(const std::vector<Value> &values, const Eigen::Vector3i &trian
 }
 
 /** Brightness of a lamp at a distance, before its colour. */
-float attenuation(const Light &light, float distance)
+Lanes attenuation(const Light &light, const Lanes &distance)
 {
-  const float fall = light.constant + distance * (light.linear + distance * light.quadratic);
+  const Lanes fall = light.constant + distance * (light.linear + distance * light.quadratic);
   // Fade over the last tenth of the range, lest a ring shows where it ends.
-  const float edge = std::clamp((light.range - distance) / (0.1F * light.range), 0.0F, 1.0F);
-  return edge / std::max(fall, 1e-3F);
+  const Lanes edge = ((light.range - distance) / (0.1F * light.range)).max(0.0F).min(1.0F);
+  return edge / fall.max(1e-3F);
 }
 
-/** Share of a spot's light that goes along `direction`, away from the lamp. */
-float spotShare(const Light &light, const Eigen::Vector3f &direction)
+/** Share of a spot's light at cosines of the angle off its axis. */
+Lanes spotShare(const Light &light, const Lanes &cosine)
 {
-  if (light.kind != Light::Kind::Spot) {
-    return 1.0F;
-  }
   const float inner = std::cos(light.innerAngle / 2.0F);
   const float outer = std::cos(light.outerAngle / 2.0F);
-  const float cosine = light.direction.dot(direction);
-  return inner > outer ? std::clamp((cosine - outer) / (inner - outer), 0.0F, 1.0F)
-                       : (cosine >= outer ? 1.0F : 0.0F);
+  return ((cosine - outer) / std::max(inner - outer, 1e-4F)).max(0.0F).min(1.0F);
 }
 
 } // namespace
@@ -80,12 +76,19 @@ float spotShare(const Light &light, const Eigen::Vector3f &direction)
 /** What the rays of a packet meet. */
 struct Shader::Surfaces
 {
-  std::array<Eigen::Vector3f, kPacket> position; ///< lifted off the surface by kShadowOffset
-  std::array<Eigen::Vector3f, kPacket> normal;   ///< unit, towards the viewer
+  std::array<Lanes, 3> position; ///< lifted off the surface by kShadowOffset
+  std::array<Lanes, 3> normal;   ///< unit, towards the viewer; zero where nothing is met
+  std::array<Lanes, 3> light;    ///< irradiance over pi, RGB
   std::array<Eigen::Vector3f, kPacket> albedo;
-  std::array<Eigen::Vector3f, kPacket> light; ///< irradiance over pi
   std::array<Eigen::Vector3f, kPacket> emissive;
   std::array<bool, kPacket> hit{};
+
+  Surfaces()
+  {
+    for (std::array<Lanes, 3> *lanes : {&position, &normal, &light}) {
+      lanes->fill(Lanes::Zero());
+    }
+  }
 };
 
 Shader::Shader(std::shared_ptr<const Scene> scene, const Lighting &lighting, bool shadows)
@@ -129,10 +132,13 @@ RadiancePacket Shader::radiance(const Eigen::Vector3f &origin, const RayPacket &
   }
   RadiancePacket radiance;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
-    radiance[i] = surfaces.hit[i]
-                      ? Eigen::Vector3f(surfaces.albedo[i].cwiseProduct(surfaces.light[i]) +
-                                        surfaces.emissive[i])
-                      : m_lighting.background;
+    const auto lane = static_cast<Eigen::Index>(i);
+    const Eigen::Vector3f light(surfaces.light[0][lane], surfaces.light[1][lane],
+                                surfaces.light[2][lane]);
+    radiance[i] =
+        surfaces.hit[i]
+            ? Eigen::Vector3f(surfaces.albedo[i].cwiseProduct(light) + surfaces.emissive[i])
+            : m_lighting.background;
   }
   return radiance;
 }
@@ -165,8 +171,15 @@ void Shader::readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3
     }
   }
   const float range = hits.ray.tfar[lane];
-  surfaces.position[i] = origin + range * direction + kShadowOffset * flat;
-  surfaces.normal[i] = normal;
+  const Eigen::Vector3f position = origin + range * direction + kShadowOffset * flat;
+  const float upward = 0.5F + 0.5F * normal.z();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    surfaces.position[k][lane] = position[axis];
+    surfaces.normal[k][lane] = normal[axis];
+    surfaces.light[k][lane] =
+        upward * m_lighting.sky[axis] + (1.0F - upward) * m_lighting.ground[axis];
+  }
 
   const Material &material = m_scene->materials[static_cast<std::size_t>(mesh.material)];
   surfaces.albedo[i] = material.diffuse;
@@ -179,64 +192,57 @@ void Shader::readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3
         sampleTexture(m_scene->textures[static_cast<std::size_t>(material.texture)],
                       interpolate(mesh.uvs, triangle, u, v), width * density[triangleIndex]));
   }
-  const float upward = 0.5F + 0.5F * normal.z();
-  surfaces.light[i] = upward * m_lighting.sky + (1.0F - upward) * m_lighting.ground;
 }
 
 void Shader::addLight(const Light &light, Surfaces &surfaces) const
 {
   const bool isSun = light.kind == Light::Kind::Directional;
-  const float brightness = light.colour.maxCoeff();
-  std::array<float, kPacket> strength{};
-  bool any = false;
-  for (std::size_t i = 0; i < kPacket; ++i) {
-    if (!surfaces.hit[i]) {
-      continue;
-    }
-    const Eigen::Vector3f toLight = isSun ? Eigen::Vector3f(-light.direction)
-                                          : Eigen::Vector3f(light.position - surfaces.position[i]);
-    const float cosine = surfaces.normal[i].dot(toLight);
-    const float distance = toLight.norm();
-    if (cosine <= 0.0F || distance <= 0.0F || (!isSun && distance > light.range)) {
-      continue;
-    }
-    strength[i] = cosine / distance;
-    if (!isSun) {
-      strength[i] *= attenuation(light, distance) * spotShare(light, -toLight / distance);
-    }
-    if (strength[i] * brightness < kNegligible * surfaces.light[i].maxCoeff()) {
-      strength[i] = 0.0F;
-    }
-    any = any || strength[i] > 0.0F;
+  std::array<Lanes, 3> way; // towards the lamp
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    way[k] = isSun ? Lanes(Lanes::Constant(-light.direction[axis]))
+                   : Lanes(light.position[axis] - surfaces.position[k]);
   }
-  if (!any) {
+  const Lanes distance = (way[0].square() + way[1].square() + way[2].square()).max(1e-12F).sqrt();
+  Lanes strength =
+      (surfaces.normal[0] * way[0] + surfaces.normal[1] * way[1] + surfaces.normal[2] * way[2]) /
+      distance;
+  if (!isSun) {
+    strength *= attenuation(light, distance);
+  }
+  if (light.kind == Light::Kind::Spot) {
+    strength *= spotShare(light, -(way[0] * light.direction.x() + way[1] * light.direction.y() +
+                                   way[2] * light.direction.z()) /
+                                     distance);
+  }
+  const Lanes sofar = surfaces.light[0].max(surfaces.light[1]).max(surfaces.light[2]);
+  strength = (strength * light.colour.maxCoeff() > kNegligible * sofar).select(strength, 0.0F);
+  if ((strength <= 0.0F).all()) {
     return;
   }
   if (m_shadows && light.castsShadows) {
     removeShadowed(light, surfaces, strength);
   }
-  for (std::size_t i = 0; i < kPacket; ++i) {
-    if (strength[i] > 0.0F) {
-      surfaces.light[i] += strength[i] * light.colour;
-    }
+  for (std::size_t k = 0; k < 3; ++k) {
+    surfaces.light[k] += strength * light.colour[static_cast<Eigen::Index>(k)];
   }
 }
 
-void Shader::removeShadowed(const Light &light, const Surfaces &surfaces,
-                            std::array<float, kPacket> &strength) const
+void Shader::removeShadowed(const Light &light, const Surfaces &surfaces, Lanes &strength) const
 {
   constexpr float kFar = 1000.0F;
+  const bool isSun = light.kind == Light::Kind::Directional;
   alignas(64) std::array<int, kPacket> valid{};
   alignas(64) RTCRay16 rays{};
-  for (std::size_t i = 0; i < kPacket; ++i) {
+  for (int i = 0; i < kPacket; ++i) {
     if (strength[i] <= 0.0F) {
       continue;
     }
-    valid[i] = -1;
-    const Eigen::Vector3f &from = surfaces.position[i];
-    const Eigen::Vector3f way = light.kind == Light::Kind::Directional
-                                    ? Eigen::Vector3f(-kFar * light.direction)
-                                    : Eigen::Vector3f(light.position - from);
+    valid[static_cast<std::size_t>(i)] = -1;
+    const Eigen::Vector3f from(surfaces.position[0][i], surfaces.position[1][i],
+                               surfaces.position[2][i]);
+    const Eigen::Vector3f way =
+        isSun ? Eigen::Vector3f(-kFar * light.direction) : Eigen::Vector3f(light.position - from);
     rays.org_x[i] = from.x();
     rays.org_y[i] = from.y();
     rays.org_z[i] = from.z();
@@ -244,17 +250,16 @@ void Shader::removeShadowed(const Light &light, const Surfaces &surfaces,
     rays.dir_y[i] = way.y();
     rays.dir_z[i] = way.z();
     // The last part is left out, so that the lamp's own body throws no shadow on everything.
-    rays.tfar[i] = light.kind == Light::Kind::Directional
-                       ? 1.0F
-                       : std::max(0.0F, 1.0F - 0.3F / std::max(way.norm(), 0.3F));
+    rays.tfar[i] =
+        isSun ? 1.0F : std::max(0.0F, 1.0F - kLampBody / std::max(way.norm(), kLampBody));
     rays.mask[i] = ~0U;
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcOccluded16(valid.data(), m_embree.scene(), &context, &rays);
-  for (std::size_t i = 0; i < kPacket; ++i) {
-    if (valid[i] != 0 && rays.tfar[i] < 0.0F) {
+  for (int i = 0; i < kPacket; ++i) {
+    if (strength[i] > 0.0F && rays.tfar[i] < 0.0F) {
       strength[i] = 0.0F;
     }
   }

@@ -6,6 +6,8 @@
 #include <homeward/sim/light_preset.h>
 #include <homeward/sim/scene.h>
 
+#include <Eigen/Core>
+
 #include <array>
 #include <memory>
 #include <vector>
@@ -23,6 +25,9 @@ struct RayPacket
   std::array<float, kPacket> spread;               ///< angle between neighbouring rays, radians
   int count = 0;                                   ///< rays in use
 };
+
+/** A number for each ray of a packet. */
+using Lanes = Eigen::Array<float, kPacket, 1>;
 
 /** Linear RGB that comes along each ray of a packet. */
 using RadiancePacket = std::array<Eigen::Vector3f, kPacket>;
@@ -46,8 +51,7 @@ private:
   void readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3f &origin,
                    const RayPacket &rays, Surfaces &surfaces) const;
   void addLight(const Light &light, Surfaces &surfaces) const;
-  void removeShadowed(const Light &light, const Surfaces &surfaces,
-                      std::array<float, kPacket> &strength) const;
+  void removeShadowed(const Light &light, const Surfaces &surfaces, Lanes &strength) const;
 
   std::shared_ptr<const Scene> m_scene;
   Lighting m_lighting;
