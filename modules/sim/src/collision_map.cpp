@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace homeward
@@ -110,29 +112,29 @@ void CollisionMap::addPart(const BodyPart &shape)
   const auto same = std::find_if(m_bands.begin(), m_bands.end(), [&](const Band &band) {
     return band.zMin == zMin && band.zMax == zMax;
   });
-  m_parts.push_back({shape, static_cast<std::size_t>(same - m_bands.begin())});
+  const double length = shape.xMax - shape.xMin;
+  const double width = shape.yMax - shape.yMin;
+  m_parts.push_back({shape, static_cast<std::size_t>(same - m_bands.begin()),
+                     std::min(length, width) / 2.0, std::hypot(length, width) / 2.0});
   if (same == m_bands.end()) {
     m_bands.push_back({zMin, zMax, {}, {}});
   }
 }
 
-bool CollisionMap::surelyFree(const Part &part, const Pose2 &wMr) const
+double CollisionMap::distanceToPart(const Part &part, const Pose2 &wMr) const
 {
   const BodyPart &shape = part.shape;
   const cv::Point cell = m_raster.cell(
       wMr * Eigen::Vector2d((shape.xMin + shape.xMax) / 2.0, (shape.yMin + shape.yMax) / 2.0));
-  if (!m_raster.contains(cell)) {
-    return false;
-  }
-  const double radius = std::hypot(shape.xMax - shape.xMin, shape.yMax - shape.yMin) / 2.0;
-  return m_bands[part.band].distance.at<unsigned char>(cell) > radius / m_raster.resolution + 1.0;
+  return m_raster.contains(cell) ? m_bands[part.band].distance.at<unsigned char>(cell) : -1.0;
 }
 
 /** Calls visitor(cell) for each touched cell until it returns true; whether it did. */
 template <class Visitor>
 bool CollisionMap::visit(const Part &part, const Pose2 &wMr, Visitor visitor) const
 {
-  if (surelyFree(part, wMr)) {
+  const double distance = distanceToPart(part, wMr);
+  if (distance > part.outerRadius / m_raster.resolution + 1.0) {
     return false;
   }
   const std::array<Eigen::Vector2d, 4> corners = cornersOf(part.shape, wMr);
@@ -170,6 +172,11 @@ bool CollisionMap::touches(const Pose2 &wMr) const
     return false;
   }
   return std::any_of(m_parts.begin(), m_parts.end(), [&](const Part &part) {
+    // The map counts from the cell's middle and in whole cells: two cells cover both.
+    const double distance = distanceToPart(part, wMr);
+    if (distance >= 0.0 && distance + 2.0 < part.innerRadius / m_raster.resolution) {
+      return true;
+    }
     return visit(part, wMr, [](const cv::Point &) { return true; });
   });
 }

@@ -42,11 +42,15 @@ std::size_t countOf(const LaserOptions &options)
 
 LaserModel::LaserModel(std::shared_ptr<const RayCaster> collisions, const Eigen::Isometry3d &rMl,
                        const LaserOptions &options, std::uint64_t seed)
-    : m_collisions(std::move(collisions)), m_rMl(rMl), m_options(options), m_count(0),
+    : m_collisions(std::move(collisions)), m_rMl(rMl), m_options(options),
       m_random(seed, static_cast<std::uint32_t>(RandomStream::Laser))
 {
   check(options);
-  m_count = countOf(options);
+  const std::size_t count = countOf(options);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = -options.fieldOfView / 2.0 + static_cast<double>(i) * options.step;
+    m_rays.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
 }
 
 Scan LaserModel::measure(Time stamp, const Pose2 &wMr)
@@ -58,14 +62,11 @@ Scan LaserModel::measure(Time stamp, const Pose2 &wMr)
   scan.angleMin = -m_options.fieldOfView / 2.0;
   scan.angleStep = m_options.step;
   scan.rangeMax = m_options.rangeMax;
-  scan.ranges.reserve(m_count);
-  for (std::size_t i = 0; i < m_count; ++i) {
-    const double angle = scan.angle(i);
-    const Eigen::Vector3d direction =
-        wMl.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
-    const float range = m_collisions->range(origin, direction.cast<float>(),
-                                            static_cast<float>(m_options.rangeMax));
-    scan.ranges.push_back(read(range));
+  scan.ranges.reserve(m_rays.size());
+  for (const Eigen::Vector3d &ray : m_rays) {
+    const Eigen::Vector3d direction = wMl.linear() * ray;
+    scan.ranges.push_back(read(m_collisions->range(origin, direction.cast<float>(),
+                                                   static_cast<float>(m_options.rangeMax))));
   }
   return scan;
 }

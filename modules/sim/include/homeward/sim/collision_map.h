@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 
-#include <array>
 #include <vector>
 
 namespace homeward
@@ -69,10 +68,13 @@ private:
   {
     BodyPart shape;
     std::size_t band;
+    double innerRadius; ///< of the largest circle about its middle that it covers, metres
+    double outerRadius; ///< of the smallest that covers it
   };
 
   template <class Visitor> bool visit(const Part &part, const Pose2 &wMr, Visitor visitor) const;
-  bool surelyFree(const Part &part, const Pose2 &wMr) const;
+  /** From its middle to what stands at its heights, cells rounded down; -1 off the raster. */
+  double distanceToPart(const Part &part, const Pose2 &wMr) const;
   void addPart(const BodyPart &shape);
 
   Eigen::AlignedBox2d m_bounds;

@@ -8,6 +8,7 @@
 #include <homeward/sim/ray_caster.h>
 
 #include <memory>
+#include <vector>
 
 namespace homeward
 {
@@ -48,7 +49,7 @@ private:
   std::shared_ptr<const RayCaster> m_collisions;
   Eigen::Isometry3d m_rMl;
   LaserOptions m_options;
-  std::size_t m_count;
+  std::vector<Eigen::Vector3d> m_rays; ///< directions in the laser's frame
   Random m_random;
 };
 
