@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <homeward/laser/clearance.h>
+#include "sweep.h"
 
 #include <homeward/core/error.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace homeward
 {
 namespace
 {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/** Speeds below this change no depth: a wall driven along is not driven into. */
-constexpr double kParallel = 1e-9;
 
 void check(const Footprint &f)
 {
@@ -31,37 +25,6 @@ void check(const Footprint &f)
 bool inside(const Footprint &f, double x, double y)
 {
   return x > f.xMin && x < f.xMax && y > f.yMin && y < f.yMax;
-}
-
-/** A point inside, moving at `velocity` in the robot's frame, is noise that gets no worse. */
-bool ignorable(const Footprint &f, const Eigen::Vector2d &p, const Eigen::Vector2d &velocity,
-               double tolerance)
-{
-  // Depth below every side, and the speed along that side's outward normal.
-  const std::array<std::array<double, 2>, 4> sides{{{f.xMax - p.x(), velocity.x()},
-                                                    {p.x() - f.xMin, -velocity.x()},
-                                                    {f.yMax - p.y(), velocity.y()},
-                                                    {p.y() - f.yMin, -velocity.y()}}};
-  return std::any_of(sides.begin(), sides.end(), [&](const std::array<double, 2> &side) {
-    return side[0] <= tolerance && side[1] >= -kParallel;
-  });
-}
-
-/** Metres until a point is touched, driving straight; direction is 1 or -1. */
-double straightTravel(const Footprint &f, const Eigen::Vector2d &p, double direction,
-                      double tolerance)
-{
-  if (p.y() <= f.yMin || p.y() >= f.yMax) {
-    return kNever;
-  }
-  const double ahead = direction > 0.0 ? p.x() - f.xMax : f.xMin - p.x();
-  if (ahead >= 0.0) {
-    return ahead;
-  }
-  if (!inside(f, p.x(), p.y()) || ignorable(f, p, {-direction, 0.0}, tolerance)) {
-    return kNever;
-  }
-  return 0.0;
 }
 
 /** The rectangle as seen from the centre of the turn at (0, y). */
@@ -131,19 +94,20 @@ private:
   std::ptrdiff_t m_count = 0;
 };
 
-/** Radians until a point is touched. */
-double turnTravel(const Turn &turn, const Eigen::Vector2d &p, double tolerance)
+/** Radians until a point is touched; what is no nearer than `most` may be answered as never. */
+double turnTravel(const Turn &turn, const Eigen::Vector2d &p, double tolerance, double most)
 {
   const Eigen::Vector2d q(p.x(), p.y() - turn.y);
   const double radius2 = q.squaredNorm();
-  if (radius2 < turn.nearest2 || radius2 > turn.farthest2) {
+  if (radius2 < turn.nearest2 || radius2 > turn.farthest2 ||
+      squaredDistance(turn.footprint, p.x(), p.y()) > most * most * radius2) {
     return kNever;
   }
   if (!inside(turn.footprint, p.x(), p.y())) {
     return Crossings(turn, q, radius2).angle(0);
   }
-  const Eigen::Vector2d velocity(turn.direction * q.y(), -turn.direction * q.x());
-  if (!ignorable(turn.footprint, p, velocity, tolerance)) {
+  if (!ignorable(turn.footprint, p.x(), p.y(), turn.direction * q.y(), -turn.direction * q.x(),
+                 tolerance)) {
     return 0.0;
   }
   return Crossings(turn, q, radius2).angle(1);
@@ -156,9 +120,7 @@ double clearance(const std::vector<Eigen::Vector2d> &points, const Footprint &fo
   check(footprint);
   double nearest2 = kNever;
   for (const Eigen::Vector2d &p : points) {
-    const double dx = std::max({footprint.xMin - p.x(), p.x() - footprint.xMax, 0.0});
-    const double dy = std::max({footprint.yMin - p.y(), p.y() - footprint.yMax, 0.0});
-    nearest2 = std::min(nearest2, dx * dx + dy * dy);
+    nearest2 = std::min(nearest2, squaredDistance(footprint, p.x(), p.y()));
   }
   return std::sqrt(nearest2);
 }
@@ -178,7 +140,7 @@ double freeTravel(const std::vector<Eigen::Vector2d> &points, const Footprint &f
     const double direction = arc.v > 0.0 ? 1.0 : -1.0;
     double travel = horizon;
     for (const Eigen::Vector2d &p : points) {
-      travel = std::min(travel, straightTravel(footprint, p, direction, tolerance));
+      travel = std::min(travel, straightTravel(footprint, p.x(), p.y(), direction, tolerance));
     }
     return travel;
   }
@@ -187,7 +149,7 @@ double freeTravel(const std::vector<Eigen::Vector2d> &points, const Footprint &f
   const Turn turn = turnAbout(footprint, y, arc.w > 0.0 ? 1.0 : -1.0);
   double angle = horizon / metres;
   for (const Eigen::Vector2d &p : points) {
-    angle = std::min(angle, turnTravel(turn, p, tolerance));
+    angle = std::min(angle, turnTravel(turn, p, tolerance, angle));
   }
   return angle * metres;
 }

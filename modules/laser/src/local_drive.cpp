@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/laser/local_drive.h>
 
+#include "sweep.h"
+
 #include <homeward/core/error.h>
 
 #include <algorithm>
@@ -41,6 +43,12 @@ void check(const LocalDrive::Options &o)
   require(o.turnCost >= 0.0, "turnCost", o.turnCost, "0 or more");
 }
 
+/** What may stand inside a footprint grown by `margin`, while the robot does not go nearer. */
+constexpr double inside(double margin)
+{
+  return margin + kInsideTolerance;
+}
+
 std::vector<Eigen::Vector2d> seenFrom(const std::vector<Eigen::Vector2d> &points, const Pose2 &rMp)
 {
   const double c = std::cos(rMp.heading);
@@ -63,6 +71,7 @@ struct LocalDrive::Way
   double turn = 0.0;       ///< rad to it, in [-pi, pi)
   double deflection = 0.0; ///< rad from the desired bearing
   double travel = 0.0;     ///< metres free with the least margin
+  double easyTravel = 0.0; ///< metres free with the preferred margin
   double score = -1.0;
   std::optional<double> spot; ///< rad to turn on the spot, either way round; nothing: no room
 };
@@ -101,7 +110,7 @@ LocalDrive::Surroundings LocalDrive::look(const std::vector<Eigen::Vector2d> &po
   const Footprint grown = m_footprint.grown(m_options.minMargin);
   const double full = 2.0 * kPi;
   const auto turn = [&](double w) {
-    return std::min(freeTravel(around.points, grown, {0.0, w}, full, m_options.minMargin),
+    return std::min(freeTravel(around.points, grown, {0.0, w}, full, inside(m_options.minMargin)),
                     freeTravel(around.points, m_footprint, {0.0, w}, full));
   };
   around.freeLeft = turn(1.0);
@@ -123,85 +132,100 @@ std::optional<double> LocalDrive::spotTurn(const Surroundings &around, double tu
 }
 
 double LocalDrive::arcTravel(const Surroundings &around, double curvature, double turn,
-                             double horizon) const
+                             double margin) const
 {
-  const Footprint grown = m_footprint.grown(m_options.minMargin);
+  const Footprint grown = m_footprint.grown(margin);
   const Twist2 arc{1.0, curvature};
-  const double length = std::min(horizon, std::abs(turn / curvature));
-  const double bend = std::min(freeTravel(around.points, grown, arc, length, m_options.minMargin),
+  const double length = std::min(around.horizon, std::abs(turn / curvature));
+  const double bend = std::min(freeTravel(around.points, grown, arc, length, inside(margin)),
                                freeTravel(around.points, m_footprint, arc, length));
   if (bend < length) {
     return bend;
   }
   return length + freeTravel(seenFrom(around.points, integrate(arc, length)), grown, {1.0, 0.0},
-                             horizon - length, m_options.minMargin);
+                             around.horizon - length, inside(margin));
 }
 
 LocalDrive::Way LocalDrive::score(const Surroundings &around, double turn, double deflection) const
 {
-  // Margins and what they weigh: what must be, what is preferred, what is comfortable.
-  const std::array<std::array<double, 2>, 3> margins{
-      {{m_options.minMargin, 1.0}, {m_options.margin, 0.5}, {2.5 * m_options.margin, 0.25}}};
-  constexpr double kSum = 1.75;
-  Way way{turn, deflection, 0.0, 0.0, spotTurn(around, turn)};
-  const std::vector<Eigen::Vector2d> seen = seenFrom(around.points, {0.0, 0.0, turn});
-  for (const auto &[margin, weight] : margins) {
-    const double travel =
-        freeTravel(seen, m_footprint.grown(margin), {1.0, 0.0}, around.horizon, margin);
-    way.travel = margin == m_options.minMargin ? travel : way.travel;
-    way.score += weight / kSum * travel / around.horizon;
+  // Margins and what they weigh: none, what must be, what is preferred, what is comfortable.
+  const std::array<double, 4> margins{0.0, m_options.minMargin, m_options.margin,
+                                      2.0 * m_options.margin};
+  constexpr std::array<double, 4> kWeights{0.0, 0.3, 0.4, 0.3};
+  std::array<double, 4> travels{};
+  travels.fill(around.horizon);
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  const Footprint widest = m_footprint.grown(margins.back());
+  for (const Eigen::Vector2d &p : around.points) {
+    const double y = c * p.y() - s * p.x();
+    if (y <= widest.yMin || y >= widest.yMax) {
+      continue;
+    }
+    const double x = c * p.x() + s * p.y();
+    for (std::size_t i = 0; i < margins.size(); ++i) {
+      const double travel =
+          straightTravel(m_footprint.grown(margins[i]), x, y, 1.0, inside(margins[i]));
+      travels[i] = std::min(travels[i], travel);
+    }
   }
-  way.travel = std::min(way.travel, freeTravel(seen, m_footprint, {1.0, 0.0}, around.horizon));
+  Way way{turn,       deflection, std::min(travels[0], travels[1]),
+          travels[2], 0.0,        spotTurn(around, turn)};
+  for (std::size_t i = 0; i < margins.size(); ++i) {
+    way.score += kWeights[i] * travels[i] / around.horizon;
+  }
   way.score *= 1.0 - 0.6 * std::abs(deflection) / (kPi / 2.0);
   way.score -= m_options.turnCost * std::abs(way.spot.value_or(turn));
   return way;
 }
 
-std::optional<LocalDrive::Way> LocalDrive::best(const Surroundings &around, double bearing) const
+std::vector<LocalDrive::Way> LocalDrive::ways(const Surroundings &around, double bearing) const
 {
-  constexpr double kReachable = radians(60.0);
-  std::optional<Way> best;
+  std::vector<Way> ways;
+  const auto consider = [&](double deflection, double turn) {
+    const Way way = score(around, turn, deflection);
+    if (way.travel >= m_options.minTravel) {
+      ways.push_back(way);
+    }
+  };
   const int steps = static_cast<int>(m_options.maxDeflection / kStep + 1e-9);
   for (int k = 0; k <= 2 * steps; ++k) {
-    // 0, +1, -1, +2, ...: of equal ways the least deflected, then the left one, is kept.
+    // 0, +1, -1, +2, ...: of equal ways the least deflected, then the left one, comes first.
     const double deflection = kStep * ((k + 1) / 2) * (k % 2 == 1 ? 1.0 : -1.0);
-    const double turn = wrapAngle(bearing + deflection);
-    const Way way = score(around, turn, deflection);
-    if (way.travel < m_options.minTravel || (best && way.score <= best->score)) {
-      continue;
-    }
-    if (way.spot || (std::abs(turn) < kReachable && alongArc(around, way, m_options.maxSpeed))) {
-      best = way;
-    }
+    consider(deflection, wrapAngle(bearing + deflection));
   }
-  return best;
+  if (std::abs(bearing) <= m_options.maxDeflection + kStep) {
+    consider(-bearing, 0.0); // straight on, which needs no room to turn
+  }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const Way &a, const Way &b) { return a.score > b.score; });
+  return ways;
 }
 
 std::optional<Twist2> LocalDrive::alongArc(const Surroundings &around, const Way &way,
-                                           double speed) const
+                                           double margin, double speed) const
 {
   constexpr std::array<double, 3> kLengths{0.6, 0.35, 0.15}; // metres of bend, gentlest first
   constexpr double kMostCurved = 5.0;                        // 1/m; tighter is turning on the spot
   constexpr double kShare = 0.85; // of what the direction promises, that an arc must keep
+  const double promised = margin > m_options.minMargin ? way.easyTravel : way.travel;
+  const bool straight = std::abs(way.turn) < kStraight;
+  const AvoidOptions &safety = m_options.safety;
   const double slow = 0.1 + 2.0 * around.clearance;
   for (const double length : kLengths) {
-    const bool straight = std::abs(way.turn) < kStraight;
     const double curvature = straight ? 0.0 : way.turn / length;
     if (std::abs(curvature) > kMostCurved) {
       continue;
     }
-    const double travel =
-        straight ? way.travel : arcTravel(around, curvature, way.turn, around.horizon);
-    if (travel < std::max(m_options.minTravel, kShare * way.travel)) {
+    const double travel = straight ? promised : arcTravel(around, curvature, way.turn, margin);
+    if (travel < std::max(m_options.minTravel, kShare * promised)) {
       continue;
     }
-    const double v =
-        std::min({speed, m_options.maxSpeed, slow,
-                  stoppableSpeed(travel - m_options.safety.nearDistance / 2.0,
-                                 m_options.safety.deceleration, m_options.safety.reaction),
-                  straight ? speed : m_options.maxTurnRate / std::abs(curvature)});
-    const Twist2 twist{v, v * curvature};
-    const Twist2 safe = avoid(around.points, m_footprint, twist, m_options.safety);
+    const double stoppable =
+        stoppableSpeed(travel - safety.nearDistance / 2.0, safety.deceleration, safety.reaction);
+    const double v = std::min({speed, m_options.maxSpeed, slow, stoppable,
+                               straight ? speed : m_options.maxTurnRate / std::abs(curvature)});
+    const Twist2 safe = avoid(around.points, m_footprint, {v, v * curvature}, safety);
     if (safe.v > 0.0) {
       return safe;
     }
@@ -223,6 +247,27 @@ std::optional<Twist2> LocalDrive::onTheSpot(const Surroundings &around, const Wa
   return safe.w != 0.0 ? std::optional(safe) : std::nullopt;
 }
 
+std::optional<Twist2> LocalDrive::take(const Surroundings &around, const Way &way,
+                                       double speed) const
+{
+  constexpr double kSmall = radians(20.0); // a smaller turn is not worth stopping for
+  const double turn = std::abs(way.turn);
+  std::optional<Twist2> twist;
+  if (turn <= m_options.turnFirst) {
+    twist = alongArc(around, way, m_options.margin, speed);
+    if (!twist && turn <= kSmall) {
+      twist = alongArc(around, way, m_options.minMargin, speed);
+    }
+  }
+  if (!twist) {
+    twist = onTheSpot(around, way);
+  }
+  if (!twist && turn > kSmall && turn <= m_options.turnFirst) {
+    twist = alongArc(around, way, m_options.minMargin, speed);
+  }
+  return twist;
+}
+
 LocalDrive::Decision LocalDrive::choose(const std::vector<Eigen::Vector2d> &points,
                                         double desiredBearing, double desiredSpeed) const
 {
@@ -230,18 +275,11 @@ LocalDrive::Decision LocalDrive::choose(const std::vector<Eigen::Vector2d> &poin
   require(std::isfinite(desiredSpeed) && desiredSpeed >= 0.0, "desiredSpeed", desiredSpeed,
           "0 or more");
   const Surroundings around = look(points, desiredSpeed);
-  const std::optional<Way> way = best(around, wrapAngle(desiredBearing));
-  if (!way) {
-    return {};
-  }
-  const State state = std::abs(way->deflection) < kStep / 2.0 ? State::Free : State::Deflected;
-  if (std::abs(way->turn) <= m_options.turnFirst) {
-    if (const auto twist = alongArc(around, *way, desiredSpeed)) {
-      return {*twist, state};
+  for (const Way &way : ways(around, wrapAngle(desiredBearing))) {
+    if (const auto twist = take(around, way, desiredSpeed)) {
+      const bool straight = std::abs(way.deflection) < kStep / 2.0;
+      return {*twist, straight ? State::Free : State::Deflected};
     }
-  }
-  if (const auto twist = onTheSpot(around, *way)) {
-    return {*twist, state};
   }
   return {};
 }

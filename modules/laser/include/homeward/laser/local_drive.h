@@ -20,11 +20,11 @@ namespace homeward
  *     (sum over margins m of weight_m * free travel with the footprint grown by m) / horizon
  *         * (1 - 0.6 |deflection| / 90 deg) - turnCost * |turn to it|
  *
- * and the best one is taken: along a gentle arc when that is free, else after a turn on the spot,
- * always when it is more than turnFirst away. As no direction leads away from the goal, the robot
- * comes nearer or gives up; the cost of turning keeps it on the side it has chosen.
- * After the dynamic window \cite Fox1997 and the vector field histogram \cite Borenstein1991, with
- * the true footprint.
+ * and the best one that can be taken is: along a gentle arc when that is free, else after a turn on
+ * the spot, always when it is more than turnFirst away. As no direction leads away from the goal,
+ * the robot comes nearer or gives up; the cost of turning keeps it on the side it has chosen. After
+ * the dynamic window \cite Fox1997 and the vector field histogram \cite Borenstein1991, with the
+ * true footprint.
  */
 class LocalDrive
 {
@@ -38,9 +38,9 @@ public:
     double minTravel = 0.30;              ///< metres a direction must be free for
     double maxDeflection = radians(80.0); ///< rad from the desired bearing
     double turnFirst = radians(60.0);     ///< rad from which the robot turns on the spot
-    double lookAhead = 3.0;               ///< s of driving that are looked at, ...
+    double lookAhead = 4.0;               ///< s of driving that are looked at, ...
     double minHorizon = 0.6;              ///< ... at least so many metres, ...
-    double maxHorizon = 1.5;              ///< ... and at most so many
+    double maxHorizon = 2.0;              ///< ... and at most so many
     double turnCost = 0.17;               ///< score per radian
     AvoidOptions safety;                  ///< nothing is commanded that avoid() would change
   };
@@ -78,11 +78,13 @@ private:
 
   Surroundings look(const std::vector<Eigen::Vector2d> &points, double desiredSpeed) const;
   Way score(const Surroundings &around, double turn, double deflection) const;
-  std::optional<Way> best(const Surroundings &around, double bearing) const;
+  std::vector<Way> ways(const Surroundings &around, double bearing) const;
   std::optional<double> spotTurn(const Surroundings &around, double turn) const;
-  double arcTravel(const Surroundings &around, double curvature, double turn, double horizon) const;
-  std::optional<Twist2> alongArc(const Surroundings &around, const Way &way, double speed) const;
+  double arcTravel(const Surroundings &around, double curvature, double turn, double margin) const;
+  std::optional<Twist2> alongArc(const Surroundings &around, const Way &way, double margin,
+                                 double speed) const;
   std::optional<Twist2> onTheSpot(const Surroundings &around, const Way &way) const;
+  std::optional<Twist2> take(const Surroundings &around, const Way &way, double speed) const;
 
   Footprint m_footprint;
   Options m_options;
