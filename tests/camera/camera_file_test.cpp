@@ -2,12 +2,14 @@
 #include "test_paths.h"
 
 #include <homeward/camera/camera_file.h>
+#include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace homeward
 {
@@ -46,6 +48,34 @@ TEST(CameraFile, ReadsWhatItWrites)
   EXPECT_FALSE(back.mount.leftIsClockwise);
 }
 
+// The shipped fit against the polynomial it was fitted to: elevation = atan2(f(r), r).
+TEST(CameraFile, TheRealMirrorSeesAsItsCalibrationSays)
+{
+  HOMEWARD_NEEDS_OUTSIDE_DATA("mirror/calib_results.txt");
+  std::istringstream calibration(text(outsideDataDir() / "mirror/calib_results.txt"));
+  std::string comment;
+  std::getline(calibration, comment);
+  std::size_t count = 0;
+  calibration >> count;
+  std::vector<double> polynomial(count);
+  for (double &coefficient : polynomial) {
+    calibration >> coefficient;
+  }
+  ASSERT_EQ(count, 5U);
+  const std::filesystem::path file = dataDir() / "cameras/example_mirror.yaml";
+  const MirrorCamera camera = parseMirrorCamera(text(file), file.string());
+  const auto &p = camera.model.parameters();
+  for (double radius = camera.ring.inner; radius <= camera.ring.outer; radius += 5.0) {
+    double height = 0.0;
+    for (std::size_t k = count; k-- > 0;) {
+      height = height * radius + polynomial[k];
+    }
+    const auto ray = camera.model.unproject({p.cx + radius, p.cy});
+    ASSERT_TRUE(ray);
+    EXPECT_NEAR(degrees(std::asin(-ray->z())), degrees(std::atan2(height, radius)), 0.05) << radius;
+  }
+}
+
 std::string refusal(const std::string &yaml)
 {
   try {
@@ -72,6 +102,14 @@ TEST(CameraFile, RefusesByName)
   EXPECT_THAT(refusal(with("width: 640", "width: 0.5")), testing::HasSubstr("image.width"));
   EXPECT_THAT(refusal(with("outer_radius_px: 236", "outer_radius_px: 3")),
               testing::HasSubstr("inner_radius_px"));
+  EXPECT_THAT(refusal(with("xi: 0.95", "xi: banana")), testing::HasSubstr("'banana'"));
+  EXPECT_THAT(refusal(with("xi: 0.95, ", "")), testing::HasSubstr("missing"));
+  EXPECT_THAT(refusal(with("xi: 0.95", "xi: .nan")), testing::HasSubstr("parameters.xi"));
+  EXPECT_THAT(refusal(with("xi: 0.95", "xi: 0.95, xi: 1")),
+              testing::HasSubstr("'xi' stands twice"));
+  EXPECT_THAT(refusal(with("left_is_clockwise: true", "left_is_clockwise: maybe")),
+              testing::HasSubstr("'maybe'"));
+  EXPECT_THAT(refusal(with("mount: {", "mount: [1] #")), testing::HasSubstr("mount"));
   EXPECT_THAT(refusal("[1, 2"), testing::HasSubstr("cam.yaml is not YAML"));
   EXPECT_THAT(refusal("42"), testing::HasSubstr("cam.yaml"));
 }

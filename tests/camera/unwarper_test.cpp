@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace homeward
 {
 namespace
@@ -17,17 +20,29 @@ MirrorCamera nominal(bool leftIsClockwise, double forward)
           {forward, leftIsClockwise}};
 }
 
-/** A mirror picture drawn pixel by pixel: brightness is a function of the azimuth in the robot's
- * frame. */
-template <class Brightness> cv::Mat draw(const MirrorCamera &camera, Brightness brightness)
+/** Azimuth in the robot's frame that every pixel shows; NaN where it shows none. */
+cv::Mat1d azimuths(const MirrorCamera &camera)
 {
-  cv::Mat picture(480, 640, CV_8UC1, cv::Scalar(0));
-  for (int v = 0; v < picture.rows; ++v) {
-    for (int u = 0; u < picture.cols; ++u) {
+  cv::Mat1d result(480, 640, std::numeric_limits<double>::quiet_NaN());
+  for (int v = 0; v < result.rows; ++v) {
+    for (int u = 0; u < result.cols; ++u) {
       if (const auto ray = camera.model.unproject({u, v})) {
         const double angle = std::atan2(ray->y(), ray->x()) - camera.mount.forward;
-        const double azimuth = wrapAngle(camera.mount.leftIsClockwise ? angle : -angle);
-        picture.at<uchar>(v, u) = cv::saturate_cast<uchar>(brightness(azimuth));
+        result(v, u) = wrapAngle(camera.mount.leftIsClockwise ? angle : -angle);
+      }
+    }
+  }
+  return result;
+}
+
+/** A mirror picture whose brightness is a function of the azimuth. */
+template <class Brightness> cv::Mat draw(const cv::Mat1d &azimuths, Brightness brightness)
+{
+  cv::Mat1b picture(azimuths.size(), 0);
+  for (int v = 0; v < picture.rows; ++v) {
+    for (int u = 0; u < picture.cols; ++u) {
+      if (!std::isnan(azimuths(v, u))) {
+        picture(v, u) = cv::saturate_cast<uchar>(brightness(azimuths(v, u)));
       }
     }
   }
@@ -38,7 +53,8 @@ template <class Brightness> cv::Mat draw(const MirrorCamera &camera, Brightness 
 auto landmark(double bearing)
 {
   return [bearing](double azimuth) {
-    return 255.0 * std::exp(-std::pow(wrapAngle(azimuth - bearing) / 0.15, 2));
+    const double aside = wrapAngle(azimuth - bearing) / 0.15;
+    return 255.0 * std::exp(-aside * aside);
   };
 }
 
@@ -56,20 +72,21 @@ class UnwarperLaw : public testing::TestWithParam<std::tuple<bool, double>>
 protected:
   MirrorCamera camera = nominal(std::get<0>(GetParam()), std::get<1>(GetParam()));
   Unwarper unwarper{camera, PanoramaGeometry{}};
+  cv::Mat1d shown = azimuths(camera);
 };
 
 TEST_P(UnwarperLaw, LeftIsLeftAndForwardIsInTheMiddle)
 {
-  EXPECT_NEAR(brightest(unwarper.unwarp(draw(camera, landmark(0.0)))), 360, 4);
-  EXPECT_NEAR(brightest(unwarper.unwarp(draw(camera, landmark(kPi / 2)))), 180, 4);
-  EXPECT_NEAR(brightest(unwarper.unwarp(draw(camera, landmark(-kPi / 2)))), 540, 4);
+  EXPECT_NEAR(brightest(unwarper.unwarp(draw(shown, landmark(0.0)))), 360, 4);
+  EXPECT_NEAR(brightest(unwarper.unwarp(draw(shown, landmark(kPi / 2)))), 180, 4);
+  EXPECT_NEAR(brightest(unwarper.unwarp(draw(shown, landmark(-kPi / 2)))), 540, 4);
 }
 
 TEST_P(UnwarperLaw, LeftTurnMovesLandmarksRight)
 {
   const double turn = radians(40.0);
-  const int before = brightest(unwarper.unwarp(draw(camera, landmark(0.2))));
-  const int after = brightest(unwarper.unwarp(draw(camera, landmark(0.2 - turn))));
+  const int before = brightest(unwarper.unwarp(draw(shown, landmark(0.2))));
+  const int after = brightest(unwarper.unwarp(draw(shown, landmark(0.2 - turn))));
   EXPECT_NEAR(after - before, turn * 720 / (2 * kPi), 4);
 }
 
@@ -96,6 +113,16 @@ TEST(Unwarper, RefusesAnotherSize)
   const Unwarper unwarper(nominal(true, 0.0), PanoramaGeometry{});
   EXPECT_THROW(unwarper.unwarp(cv::Mat(480, 641, CV_8UC1)), LogicError);
   EXPECT_THROW(unwarper.unwarp(cv::Mat(480, 640, CV_32FC1)), LogicError);
+}
+
+TEST(Unwarper, RefusesAGeometryWithoutPixels)
+{
+  PanoramaGeometry geometry;
+  geometry.height = 0;
+  EXPECT_THROW(Unwarper(nominal(true, 0.0), geometry), LogicError);
+  geometry.height = 160;
+  geometry.elevationMin = geometry.elevationMax;
+  EXPECT_THROW(Unwarper(nominal(true, 0.0), geometry), LogicError);
 }
 
 TEST(PanoramaGeometry, ColumnInvertsAzimuthAndRowInvertsElevation)

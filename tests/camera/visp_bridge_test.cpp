@@ -29,6 +29,14 @@ TEST(VispBridge, PicturesKeepTheirPixels)
 
   vpImage<vpRGBa> colour(2, 2, vpRGBa(10, 20, 30));
   EXPECT_EQ(fromVisp(colour).at<cv::Vec3b>(0, 0), cv::Vec3b(30, 20, 10));
+
+  cv::Mat bgr(3, 4, CV_8UC3);
+  cv::randu(bgr, 0, 256);
+  const vpImage<vpRGBa> copied = toVispColour(bgr);
+  EXPECT_EQ(copied[2][1].R, bgr.at<cv::Vec3b>(2, 1)[2]);
+  EXPECT_EQ(copied[2][1].A, 255);
+  EXPECT_EQ(cv::norm(fromVisp(copied), bgr, cv::NORM_INF), 0.0);
+  EXPECT_THROW(toVispColour(gray), LogicError);
 }
 
 } // namespace

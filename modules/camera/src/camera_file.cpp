@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace homeward
@@ -26,10 +29,14 @@ public:
     if (!m_node.IsMap()) {
       throw ConfigError(m_origin + ": " + m_name + " is missing or no mapping");
     }
+    std::set<std::string> seen;
     for (const auto &entry : m_node) {
       const auto key = entry.first.as<std::string>();
       if (std::find(known.begin(), known.end(), key) == known.end()) {
         throw ConfigError(m_origin + ": unknown key '" + key + "' in " + m_name);
+      }
+      if (!seen.insert(key).second) {
+        throw ConfigError(m_origin + ": '" + key + "' stands twice in " + m_name);
       }
     }
   }
@@ -40,8 +47,7 @@ public:
     double number = 0.0;
     if (!value || !value.IsScalar() || !YAML::convert<double>::decode(value, number) ||
         !std::isfinite(number)) {
-      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be a number" +
-                        (value && value.IsScalar() ? ", not '" + value.Scalar() + "'" : ""));
+      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be a number" + found(value));
     }
     return number;
   }
@@ -56,12 +62,22 @@ public:
     const YAML::Node value = m_node[key];
     bool flag = false;
     if (!value || !value.IsScalar() || !YAML::convert<bool>::decode(value, flag)) {
-      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be true or false");
+      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be true or false" +
+                        found(value));
     }
     return flag;
   }
 
 private:
+  /** What stands there instead, for messages. */
+  static std::string found(const YAML::Node &value)
+  {
+    if (!value) {
+      return ", and is missing";
+    }
+    return value.IsScalar() ? ", not '" + value.Scalar() + "'" : ", and is none";
+  }
+
   YAML::Node m_node;
   std::string m_name;
   std::string m_origin;
@@ -100,14 +116,17 @@ MirrorCamera cameraOf(const YAML::Node &root, const std::string &origin)
                     {"model", "image", "parameters", "mirror", "mount"});
   const YAML::Node model = root["model"];
   if (!model || !model.IsScalar() || model.Scalar() != "unified") {
-    throw ConfigError(origin + ": model must be 'unified'");
+    throw ConfigError(origin + ": model must be 'unified'" +
+                      (model && model.IsScalar() ? ", not '" + model.Scalar() + "'" : ""));
   }
   const Section image(root["image"], "image", origin, {"width", "height"});
   const Section mirror(root["mirror"], "mirror", origin, {"inner_radius_px", "outer_radius_px"});
   const Section mount(root["mount"], "mount", origin, {"forward_deg", "left_is_clockwise"});
   const MirrorRing ring{mirror.number("inner_radius_px"), mirror.number("outer_radius_px")};
   if (ring.inner < 0.0 || ring.outer <= ring.inner) {
-    throw ConfigError(origin + ": mirror.inner_radius_px must be smaller than outer_radius_px");
+    throw ConfigError(origin + ": mirror.inner_radius_px " + std::to_string(ring.inner) +
+                      " must be 0 or more and smaller than outer_radius_px " +
+                      std::to_string(ring.outer));
   }
   try {
     return {UnifiedCamera(parametersOf(root, origin), pixels(image, "width", origin),

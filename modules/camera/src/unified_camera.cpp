@@ -129,23 +129,27 @@ std::optional<Eigen::Vector3d> UnifiedCamera::unproject(const Eigen::Vector2d &p
 {
   const Parameters &p = m_parameters;
   const Eigen::Vector2d d((pixel.x() - p.cx) / p.fx, (pixel.y() - p.cy) / p.fy);
-  Eigen::Vector2d m = d;
   constexpr int kIterations = 50;
-  constexpr double kConverged = 1e-13;
+  const double converged = 1e-14 * (1.0 + d.norm());
+  const double accepted = 1e-10 * (1.0 + d.norm());
+  // Newton, from inside the growing range.
+  constexpr double kStart = 0.9;
+  Eigen::Vector2d m =
+      d.norm() < kStart * m_largestRadius ? d : d.normalized() * kStart * m_largestRadius;
   for (int i = 0; i < kIterations; ++i) {
     const Distorted distorted = distort(p, m);
     const Eigen::Vector2d residual = distorted.d - d;
-    if (residual.norm() < kConverged) {
+    if (residual.norm() < converged) {
       break;
     }
     Eigen::Vector2d next = m - distorted.J_m.inverse() * residual;
     if (!(next.norm() < m_largestRadius)) {
-      // Newton has left the growing range: go half the way to its border instead.
+      // It has left the growing range: go half the way to its border instead.
       next = 0.5 * (m + next.normalized() * m_largestRadius);
     }
     m = next;
   }
-  if (!m.allFinite() || (distort(p, m).d - d).norm() > 1e-9) {
+  if (!m.allFinite() || m.norm() >= m_largestRadius || (distort(p, m).d - d).norm() > accepted) {
     return std::nullopt;
   }
   const double r2 = m.squaredNorm();

@@ -20,10 +20,24 @@ Eigen::Vector3d cameraRay(const CameraMount &mount, double azimuth, double eleva
           -std::sin(elevation)};
 }
 
+const PanoramaGeometry &checked(const PanoramaGeometry &geometry)
+{
+  if (geometry.width <= 0 || geometry.height <= 0 ||
+      !(geometry.elevationMin < geometry.elevationMax) ||
+      !(geometry.elevationMin >= -kPi / 2.0 && geometry.elevationMax <= kPi / 2.0)) {
+    throw LogicError("a panorama of " + std::to_string(geometry.width) + " x " +
+                     std::to_string(geometry.height) + " pixels from " +
+                     std::to_string(degrees(geometry.elevationMin)) + " to " +
+                     std::to_string(degrees(geometry.elevationMax)) +
+                     " degrees of elevation is impossible");
+  }
+  return geometry;
+}
+
 } // namespace
 
 Unwarper::Unwarper(const MirrorCamera &camera, const PanoramaGeometry &geometry)
-    : m_geometry(geometry), m_pictureSize(camera.model.width(), camera.model.height()),
+    : m_geometry(checked(geometry)), m_pictureSize(camera.model.width(), camera.model.height()),
       m_visible(geometry.height, geometry.width, CV_8UC1, cv::Scalar(0))
 {
   constexpr float kNowhere = -10.0F;

@@ -63,4 +63,16 @@ vpImage<unsigned char> toVispGray(const cv::Mat &image)
   return copy;
 }
 
+vpImage<vpRGBa> toVispColour(const cv::Mat &image)
+{
+  if (image.type() != CV_8UC3) {
+    throw LogicError("a colour picture is CV_8UC3, not type " + std::to_string(image.type()));
+  }
+  vpImage<vpRGBa> copy(static_cast<unsigned int>(image.rows),
+                       static_cast<unsigned int>(image.cols));
+  cv::Mat view(image.rows, image.cols, CV_8UC4, copy.bitmap);
+  cv::cvtColor(image, view, cv::COLOR_BGR2RGBA);
+  return copy;
+}
+
 } // namespace homeward

@@ -11,6 +11,7 @@ namespace homeward
 class Unwarper
 {
 public:
+  /** @throw LogicError for a geometry without pixels or with elevations beyond +-90 degrees */
   Unwarper(const MirrorCamera &camera, const PanoramaGeometry &geometry);
 
   /**

@@ -29,4 +29,7 @@ cv::Mat fromVisp(const vpImage<vpRGBa> &image);
 /** A gray ViSP copy of a picture. @throw LogicError unless it is CV_8UC1 */
 vpImage<unsigned char> toVispGray(const cv::Mat &image);
 
+/** A colour ViSP copy of a picture, opaque. @throw LogicError unless it is CV_8UC3 (BGR) */
+vpImage<vpRGBa> toVispColour(const cv::Mat &image);
+
 } // namespace homeward
