@@ -6,7 +6,7 @@ import math
 from . import surfaces
 from .model import Model, Plain
 
-LAMP = Plain("lamp", (255, 250, 235), 1.0)
+LAMP = Plain("lamp", (255, 250, 235))  # the light just below it makes it bright
 WALL_PIXELS = 86  # pixels a metre of wall, both ways
 
 
@@ -17,10 +17,16 @@ class Wall:
         self.a, self.length = a, math.dist(a, b)
         self.along = ((b[0] - a[0]) / self.length, (b[1] - a[1]) / self.length)
         self.into = (self.along[1], -self.along[0])
+        self.openings = []
 
     def at(self, s, z, out=0.0):
         return (self.a[0] + s * self.along[0] + out * self.into[0],
                 self.a[1] + s * self.along[1] + out * self.into[1], z)
+
+    def keep(self, s0, s1):
+        """Refuses what would hang or stand in an opening, or past the wall's ends."""
+        if s0 < -1e-6 or s1 > self.length + 1e-6 or any(a < s1 and s0 < b for a, b, _ in self.openings):
+            raise ValueError("no wall at s = %.2f to %.2f of the wall from %s" % (s0, s1, self.a))
 
     def yaw(self):
         """Turns furniture's +y into the room."""
@@ -49,12 +55,13 @@ class Building(Model):
             for other, first in ((walls[i - 1], False), (walls[(i + 1) % len(walls)], True)):
                 d, e = (wall.along, other.along) if first else (other.along, wall.along)
                 ends.append(self.thickness if d[0] * e[1] - d[1] * e[0] < -0.5 else 0.0)
-            self._wall(wall, skins[i], (openings or {}).get(i, []), ends)
+            wall.openings = sorted((openings or {}).get(i, []))
+            self._wall(wall, skins[i], ends)
         return walls
 
-    def _wall(self, wall, skin, openings, ends):
+    def _wall(self, wall, skin, ends):
         start = 0.0
-        for s0, s1, height in sorted(openings) + [(wall.length, wall.length, 0.0)]:
+        for s0, s1, height in wall.openings + [(wall.length, wall.length, 0.0)]:
             self._panel(wall, skin, start, s0, 0.0, ends[0] if start == 0.0 else 0.0,
                         ends[1] if s0 == wall.length else 0.0)
             self._panel(wall, skin, s0, s1, height, 0.0, 0.0)
@@ -71,6 +78,7 @@ class Building(Model):
     def hang(self, wall, s, z, width, height, skin, out=0.012):
         """A picture on a wall: its middle at s, its lower edge at z."""
         s0, s1 = s - width / 2, s + width / 2
+        wall.keep(s0, s1)
         self.quad(wall.at(s0, z, out), wall.at(s1, z, out), wall.at(s1, z + height, out),
                   wall.at(s0, z + height, out), skin)
 
@@ -94,7 +102,7 @@ class Building(Model):
         self.solid((x0, y0, self.height), (x1, y1, self.height + 0.1))
 
     def lamp(self, x, y, wide, deep, drop=0.06):
-        """A shining panel below the ceiling."""
+        """The panel of a lamp below the ceiling."""
         z = self.height
         self.box((x - wide / 2, y - deep / 2, z - drop), (x + wide / 2, y + deep / 2, z),
                  Plain("lamp_rim", (225, 225, 222)), solid=False, nz=LAMP, pz=None)
@@ -121,3 +129,18 @@ def painted(view, rng, colour, low=0.86, high=1.06, ducts=True, skirting=(90, 80
     """A wall's own texture."""
     surfaces.plaster(view, rng, colour, low, high, skirting)
     surfaces.fittings(view, rng, WALL_PIXELS, ducts)
+
+
+def openings(corners, doorways):
+    """For run(): which parts of which walls lie on doorways (x0, y0, x1, y1, height)."""
+    found = {}
+    for i, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1])):
+        wall = Wall(a, b)
+        for x0, y0, x1, y1, height in doorways:
+            spots = [((x - a[0]) * wall.along[0] + (y - a[1]) * wall.along[1],
+                      (x - a[0]) * wall.into[0] + (y - a[1]) * wall.into[1])
+                     for x, y in ((x0, y0), (x1, y1))]
+            (s0, s1), (n0, n1) = sorted(s for s, _ in spots), sorted(n for _, n in spots)
+            if abs(n1) < 1e-6 and n0 > -0.3 and s0 > 0 and s1 < wall.length:
+                found.setdefault(i, []).append((s0, s1, height))
+    return found

@@ -159,6 +159,10 @@ class Canvas:
                                   x + (column + 1) * scale, y + (row + 1) * scale, colour)
             x += 6 * scale
 
+    def label(self, x, y, width, height, words, colour):
+        """Text as large as fits."""
+        self.text(x, y, words, colour, max(1, int(min(width / (6 * len(words)), height / 7))))
+
     def shade(self, noise, low, high, levels=5):
         """Multiplies by a factor from low to high, in few steps: steps compress well."""
         palette, tables = self.palette, [{} for _ in range(levels)]

@@ -305,3 +305,33 @@ def notice_board(name, width=1.5, colour=(60, 90, 130)):
     model.box((-width / 2, 0.02, 0), (-width / 2 + 0.05, 0.22, 0.6), BLACK)
     model.box((width / 2 - 0.05, 0.02, 0), (width / 2, 0.22, 0.6), BLACK)
     return model
+
+
+def room_door(name, colour):
+    """A closed door in its frame, its back at y = 0."""
+    model = Model(name, resolution=110)
+    leaf = model.swatch(0.95, 2.05, look.door, colour, "")
+    rim = Plain("door_rim", (96, 92, 88))
+    model.box((-0.475, 0, 0), (0.475, 0.03, 2.05), rim, py=leaf)
+    model.box((-0.54, 0, 0), (-0.475, 0.05, 2.12), rim)
+    model.box((0.475, 0, 0), (0.54, 0.05, 2.12), rim)
+    model.box((-0.475, 0, 2.05), (0.475, 0.05, 2.12), rim)
+    return model
+
+
+def television(name, width=1.4):
+    model = counter_block(name, width, 0.42, 0.5, look.WALNUT, items=False)
+    face = model.swatch(1.1, 0.64, look.screen, resolution=90)
+    model.box((-0.55, 0.1, 0.55), (0.55, 0.15, 1.19), BLACK, py=face)
+    return model
+
+
+def kitchen(name, width=2.4, colour=(200, 190, 170)):
+    """Lower and upper units."""
+    model = counter_block(name, width, 0.6, 0.9, colour, solid_top=look.STEEL)
+    upper = model.swatch(width, 0.6, look.leaves, colour, round(width / 0.5))
+    model.box((-width / 2, 0, 1.45), (width / 2, 0.35, 2.05), PAPER, py=upper)
+    tiles = model.swatch(width, 0.55, look.lino, (190, 205, 205), 16)
+    model.quad((width / 2, 0.01, 0.9), (-width / 2, 0.01, 0.9), (-width / 2, 0.01, 1.45),
+               (width / 2, 0.01, 1.45), tiles)
+    return model

@@ -58,7 +58,7 @@ def _windows_and_pictures(b, walls):
     b.gallery(west, ((0.8, 1.3, 0.8, 1.1), (6.3, 1.3, 0.5, 0.7), (9.4, 1.2, 0.7, 1.0)))
     b.hang(south, 2.6, 1.0, 1.8, 1.2, b.swatch(1.8, 1.2, look.papers), 0.02)
     b.hang(west, 2.6, 0.95, 2.2, 1.25, b.swatch(2.2, 1.25, look.whiteboard), 0.03)
-    b.hang(west, 5.2, 0.0, 1.0, 2.1, b.swatch(1.0, 2.1, look.door, (120, 76, 52), "LAB 217"), 0.03)
+    b.hang(west, 5.2, 0.0, 1.0, 2.1, b.swatch(1.0, 2.1, look.door, (120, 76, 52), "LAB217"), 0.03)
     b.hang(east, 8.55, 1.75, 0.4, 0.4, b.swatch(0.4, 0.4, _clock), 0.03)
 
 

@@ -43,10 +43,10 @@ class Region:
 
 
 class Plain:
-    """A colour without texture; may shine."""
+    """A colour without texture."""
 
-    def __init__(self, name, colour, shine=0.0):
-        self.name, self.colour, self.shine = name, colour, shine
+    def __init__(self, name, colour):
+        self.name, self.colour = name, colour
 
     def crop(self, _rng, _width_m, _height_m):
         return self
@@ -171,8 +171,6 @@ class Model:
                 lines += ["Kd 1 1 1", "map_Kd ../materials/textures/%s.png" % name]
             else:
                 lines += ["Kd %s %s %s" % tuple(number(c / 255) for c in skin.colour)]
-                if skin.shine:
-                    lines += ["Ke " + " ".join([number(skin.shine)] * 3)]
         return "\n".join(lines) + "\n"
 
     def _sdf(self):

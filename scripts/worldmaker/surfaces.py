@@ -8,7 +8,7 @@ STEEL, DARK, WHITE = (120, 124, 130), (38, 40, 44), (235, 235, 230)
 WORDS = ("ROBOT MAP VISION HOME LOOP PATH SCAN LASER MIRROR NODE EDGE COMPASS SIFT WARP SNAPSHOT ANT "
          "BEE FIELD SPACE LIGHT CAMERA SERVO DRIVE GRAPH PLACE SEARCH ROUTE MOTION").split()
 BRIGHT = ((200, 40, 40), (40, 90, 180), (235, 190, 40), (50, 140, 70), (230, 120, 40), (120, 60, 140),
-          (30, 150, 160), (220, 220, 215), (40, 40, 45))
+          (30, 150, 160), (170, 120, 60), (40, 40, 45))
 
 
 def plain(view, _rng, colour):
@@ -87,8 +87,7 @@ def _paper(view, rng):
     view.fill(rng.pick((WHITE, (240, 235, 210), (215, 228, 240))))
     head, w, h = rng.pick(BRIGHT), view.width, view.height
     view.rect(0, 0, w, h * 0.17, head)
-    scale = max(1, w // 48)
-    view.text(3 * scale, h * 0.05, rng.pick(WORDS), WHITE, scale)
+    view.label(3, h * 0.04, w - 6, h * 0.12, rng.pick(WORDS), WHITE)
     for column in range(2):
         x0, x1 = w * (0.06 + 0.47 * column), w * (0.47 + 0.47 * column)
         y = h * 0.22
@@ -123,9 +122,8 @@ def poster(view, rng):
     else:
         _paper(view, rng)
     if kind < 2:
-        scale = max(1, view.width // 44)
-        view.rect(0, view.height - 11 * scale, view.width, view.height, rng.pick((DARK, WHITE)))
-        view.text(3 * scale, view.height - 9 * scale, rng.pick(WORDS), rng.pick(BRIGHT[:5]), scale)
+        view.rect(0, view.height * 0.86, view.width, view.height, rng.pick((DARK, WHITE)))
+        view.label(4, view.height * 0.88, view.width - 8, view.height * 0.1, rng.pick(WORDS), rng.pick(BRIGHT[:5]))
     view.frame(0, 0, view.width, view.height, rng.pick((DARK, WHITE, OAK, STEEL)), 2)
 
 
@@ -148,7 +146,7 @@ def papers(view, rng, board=(170, 125, 80)):
 def whiteboard(view, rng):
     view.fill((242, 243, 245))
     pens = ((30, 40, 150), (180, 30, 30), (20, 120, 60), (30, 30, 30))
-    for _ in range(view.width // 22):
+    for _ in range(view.width // 10):
         x, y = rng.uniform(4, view.width * 0.8), rng.uniform(6, view.height * 0.7)
         pen, kind = rng.pick(pens), rng.integer(0, 3)
         if kind == 0:
@@ -184,6 +182,20 @@ def books(view, rng, back=(50, 38, 28)):
                       rng.pick((WHITE, (240, 210, 90), DARK)))
         view.rect(x + wide - 1, top, min(view.width, x + wide), view.height, scaled(colour, 0.55))
         x += wide
+
+
+def goods(view, rng):
+    """A vending machine."""
+    view.fill((30, 36, 70))
+    w, h = view.width, view.height
+    for i in range(5):
+        y = h * (0.1 + 0.14 * i)
+        books(view.view(w * 0.08, y, w * 0.62, h * 0.12), rng, (200, 200, 205))
+    view.rect(w * 0.76, h * 0.3, w * 0.92, h * 0.5, STEEL)
+    for i in range(6):
+        view.rect(w * (0.78 + 0.07 * (i % 2)), h * (0.32 + 0.05 * (i // 2)),
+                  w * (0.82 + 0.07 * (i % 2)), h * (0.35 + 0.05 * (i // 2)), WHITE)
+    view.rect(w * 0.1, h * 0.84, w * 0.68, h * 0.93, DARK)
 
 
 def screen(view, rng):
@@ -247,7 +259,7 @@ def carton(view, rng):
     wood(view, rng, colour)
     view.rect(view.width * 0.44, 0, view.width * 0.56, view.height, (205, 180, 140))
     if rng.chance(0.7):
-        view.text(4, view.height * 0.3, rng.pick(WORDS), DARK, max(1, view.width // 44))
+        view.label(4, view.height * 0.3, view.width - 8, view.height * 0.25, rng.pick(WORDS), DARK)
     if rng.chance(0.6):
         x = rng.uniform(2, view.width * 0.5)
         view.rect(x, view.height * 0.6, x + view.width * 0.35, view.height * 0.88, WHITE)
@@ -299,8 +311,9 @@ def door(view, rng, colour, sign):
     view.rect(0, h * 0.88, w, h, STEEL)
     view.rect(w * 0.82, h * 0.5, w * 0.94, h * 0.52, (210, 210, 205))
     view.rect(w * 0.86, h * 0.5, w * 0.9, h * 0.56, (190, 190, 185))
-    view.rect(w * 0.25, h * 0.18, w * 0.75, h * 0.27, WHITE)
-    view.text(w * 0.29, h * 0.2, sign, DARK, max(1, w // 55))
+    if sign:
+        view.rect(w * 0.2, h * 0.18, w * 0.8, h * 0.27, WHITE)
+        view.label(w * 0.23, h * 0.2, w * 0.56, h * 0.06, sign, DARK)
 
 
 def plaster(view, rng, colour, low=0.86, high=1.06, skirting=(90, 80, 72)):
@@ -313,7 +326,8 @@ def plaster(view, rng, colour, low=0.86, high=1.06, skirting=(90, 80, 72)):
         x, y = rng.integer(0, view.width), rng.integer(view.height // 2, view.height)
         view.line(x, y, x + rng.integer(-20, 20), y + rng.integer(-3, 3), scaled(colour, rng.uniform(0.6, 0.85)))
     view.shade(Noise(rng, view.width, view.height, 90, 3), low, high, 7)
-    view.rect(0, view.height - 8, view.width, view.height, skirting)
+    if skirting:
+        view.rect(0, view.height - 8, view.width, view.height, skirting)
 
 
 def fittings(view, rng, pixels_per_metre, ducts=True):

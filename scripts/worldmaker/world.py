@@ -23,6 +23,9 @@ class World:
 
     def against(self, wall, s, model, out=0.02):
         """Furniture with its back to a wall."""
+        widths = [centre[0] + sign * (size[0] / 2 if kind == "box" else size[0])
+                  for kind, centre, size in model.solids for sign in (-1, 1)]
+        wall.keep(s - max(widths), s - min(widths))
         x, y, _ = wall.at(s, 0.0, out)
         self.add(model, x, y, wall.yaw())
 
