@@ -115,11 +115,15 @@ TEST_F(MapFileTest, RefusesAnUpdateThatBreaksARuleAsAWhole)
   MapUpdate broken = nodeUpdate(3);
   broken.changes.push_back(EdgeAdded{{{7}, {3}, {0}}});
   EXPECT_THROW(file.append(broken), LogicError);
+  MapUpdate noticedLate = nodeUpdate(3);
+  noticedLate.view->node = {0}; // after the node was written
+  EXPECT_THROW(file.append(noticedLate), LogicError);
   EXPECT_THROW(file.append({.view = NewView{{0}, encodeView(smallPanorama(5))}}), LogicError);
   EXPECT_THROW(file.append({.view = NewView{{9}, encodeView(smallPanorama(5))}}), LogicError);
   EXPECT_THROW(file.append({.log = {{std::nan(""), "when?"}}}), LogicError);
 
   EXPECT_EQ(exportCanonical(file), before);
+  EXPECT_EQ(exportCanonical(MapFile::open(path(), MapFile::Access::Read)), before);
   file.append(nodeUpdate(3));
   EXPECT_EQ(file.map().nodes().size(), 4U);
 }
