@@ -55,7 +55,7 @@ struct Interval
 std::vector<Interval> columnIntervals(const PanoramaGeometry &geometry, int columns)
 {
   const double half = std::max(0.5, geometry.width / (2.0 * columns));
-  const auto size = static_cast<std::size_t>(2 * geometry.width);
+  const auto size = 2U * static_cast<std::size_t>(geometry.width);
   std::vector<Interval> intervals;
   for (int i = 0; i < columns; ++i) {
     double from = geometry.column(2.0 * kPi * i / columns) + 0.5 - half;

@@ -111,8 +111,9 @@ void MinWarping::buildTemplate()
   const double logStep = std::log(m_featureOptions.magnificationStep);
   m_template.assign(static_cast<std::size_t>(columns), {});
   const auto admit = [&](int x, int delta, int plane) {
-    const auto index = static_cast<std::size_t>(plane * columns + (delta + columns) % columns);
-    m_template[static_cast<std::size_t>(x)].push_back({delta, plane, index});
+    const int index = plane * columns + (delta + columns) % columns;
+    m_template[static_cast<std::size_t>(x)].push_back(
+        {delta, plane, static_cast<std::size_t>(index)});
   };
   for (int plane = middle; plane < m_options.planes; ++plane) {
     admit(0, 0, plane);                 // ahead: only nearer

@@ -76,6 +76,7 @@ std::vector<ScaleMatch> matchScales(const Keypoints &current, const Panorama &cu
                             static_cast<double>(currentView.geometry.width);
   std::vector<std::vector<cv::DMatch>> pairs;
   cv::BFMatcher(cv::NORM_L2).knnMatch(current.descriptors, snapshot.descriptors, pairs, 2);
+  matches.reserve(pairs.size());
   for (const std::vector<cv::DMatch> &pair : pairs) {
     if (pair.size() < 2 || pair[0].distance >= static_cast<float>(matchRatio) * pair[1].distance) {
       continue;
@@ -110,6 +111,7 @@ double circularMedian(const std::vector<ScaleMatch> &matches)
   }
   const double mean = std::atan2(y, x);
   std::vector<double> offsets;
+  offsets.reserve(matches.size());
   for (const ScaleMatch &match : matches) {
     offsets.push_back(wrapAngle(match.turn - mean));
   }
@@ -147,6 +149,7 @@ std::optional<HomeVector> ScaleSpaceHoming::compute(const Panorama &current,
   double expandedY = 0.0;
   double expanded = 0.0;
   std::vector<double> logScales;
+  logScales.reserve(matches.size());
   for (const ScaleMatch &match : matches) {
     const bool smaller = match.logScale < 0.0;
     (smaller ? contractedX : expandedX) += std::cos(match.bearing);

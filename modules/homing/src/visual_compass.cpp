@@ -38,6 +38,7 @@ std::vector<double> shiftDifferences(const cv::Mat &current, const cv::Mat &snap
   cv::Mat correlation;
   cv::dft(sum, correlation, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
   std::vector<double> differences;
+  differences.reserve(static_cast<std::size_t>(correlation.cols));
   for (int k = 0; k < correlation.cols; ++k) {
     differences.push_back((energy - 2.0 * correlation.at<double>(0, k)) /
                           static_cast<double>(current.total()));

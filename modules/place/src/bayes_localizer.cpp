@@ -21,6 +21,7 @@ std::vector<double> normalized(const std::vector<double> &logs)
 {
   const double highest = *std::max_element(logs.begin(), logs.end());
   std::vector<double> probabilities;
+  probabilities.reserve(logs.size());
   for (const double value : logs) {
     probabilities.push_back(std::exp(value - highest));
   }
@@ -116,6 +117,7 @@ void BayesLocalizer::observe(std::span<const double> dissimilarities)
     return; // all places look equally like the view: it tells nothing
   }
   std::vector<double> logs;
+  logs.reserve(m_nodes.size());
   for (std::size_t i = 0; i < m_nodes.size(); ++i) {
     logs.push_back(std::log(m_belief[i]) + logKernel(scale * dissimilarities[i], sigma));
   }

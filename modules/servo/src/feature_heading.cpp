@@ -39,10 +39,10 @@ vpMatrix FeatureHeading::interaction(unsigned int select)
   return selectRows(L, select);
 }
 
-vpColVector FeatureHeading::error(const vpBasicFeature &s_star, unsigned int select)
+vpColVector FeatureHeading::error(const vpBasicFeature &wanted, unsigned int select)
 {
   vpMatrix e(1, 1);
-  e[0][0] = wrapAngle(s[0] - s_star[0]);
+  e[0][0] = wrapAngle(s[0] - wanted[0]);
   return vpColVector(selectRows(e, select));
 }
 

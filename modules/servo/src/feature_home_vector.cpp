@@ -48,11 +48,11 @@ vpMatrix FeatureHomeVector::interaction(unsigned int select)
   return selectRows(L, select);
 }
 
-vpColVector FeatureHomeVector::error(const vpBasicFeature &s_star, unsigned int select)
+vpColVector FeatureHomeVector::error(const vpBasicFeature &wanted, unsigned int select)
 {
   vpMatrix e(2, 1);
-  e[0][0] = s[0] - s_star[0];
-  e[1][0] = wrapAngle(s[1] - s_star[1]);
+  e[0][0] = s[0] - wanted[0];
+  e[1][0] = wrapAngle(s[1] - wanted[1]);
   return vpColVector(selectRows(e, select));
 }
 

@@ -22,8 +22,8 @@ public:
   /** The 1 x 6 matrix from the twist (vx, vy, vz, wx, wy, wz) of p to ds/dt. */
   vpMatrix interaction(unsigned int select = FEATURE_ALL) override;
 
-  /** s - s_star in [-pi, pi). */
-  vpColVector error(const vpBasicFeature &s_star, unsigned int select = FEATURE_ALL) override;
+  /** s - wanted in [-pi, pi). */
+  vpColVector error(const vpBasicFeature &wanted, unsigned int select = FEATURE_ALL) override;
 
   /** An arrow from the picture's middle along the home heading, forward being up. */
   void display(const vpCameraParameters &cam, const vpImage<unsigned char> &I,

@@ -37,8 +37,8 @@ public:
   /** Selected rows of the 2 x 6 matrix from the twist (vx, vy, vz, wx, wy, wz) of p to ds/dt. */
   vpMatrix interaction(unsigned int select = FEATURE_ALL) override;
 
-  /** s - s_star of the selected rows, the angle in [-pi, pi). */
-  vpColVector error(const vpBasicFeature &s_star, unsigned int select = FEATURE_ALL) override;
+  /** s - wanted of the selected rows, the angle in [-pi, pi). */
+  vpColVector error(const vpBasicFeature &wanted, unsigned int select = FEATURE_ALL) override;
 
   /** An arrow from the picture's middle towards home, forward being up. */
   void display(const vpCameraParameters &cam, const vpImage<unsigned char> &I,
