@@ -110,7 +110,9 @@ double turnTravel(const Turn &turn, const Eigen::Vector2d &p, double tolerance, 
                  tolerance)) {
     return 0.0;
   }
-  return Crossings(turn, q, radius2).angle(1);
+  // Back in after it has left, or deeper in than noise explains.
+  const Turn core = turnAbout(turn.footprint.grown(-tolerance), turn.y, turn.direction);
+  return std::min(Crossings(turn, q, radius2).angle(1), Crossings(core, q, radius2).angle(0));
 }
 
 } // namespace
@@ -147,11 +149,12 @@ double freeTravel(const std::vector<Eigen::Vector2d> &points, const Footprint &f
   const double y = arc.v / arc.w;
   const double metres = y == 0.0 ? 1.0 : std::abs(y); // per radian
   const Turn turn = turnAbout(footprint, y, arc.w > 0.0 ? 1.0 : -1.0);
-  double angle = horizon / metres;
+  const double most = horizon / metres;
+  double angle = most;
   for (const Eigen::Vector2d &p : points) {
     angle = std::min(angle, turnTravel(turn, p, tolerance, angle));
   }
-  return angle * metres;
+  return angle < most ? std::min(horizon, angle * metres) : horizon;
 }
 
 } // namespace homeward

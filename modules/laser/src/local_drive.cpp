@@ -30,7 +30,8 @@ void check(const LocalDrive::Options &o)
 {
   require(o.maxSpeed > 0.0, "maxSpeed", o.maxSpeed, "above 0");
   require(o.maxTurnRate > 0.0, "maxTurnRate", o.maxTurnRate, "above 0");
-  require(o.minMargin >= 0.0, "minMargin", o.minMargin, "0 or more");
+  require(o.minMargin >= o.safety.margin, "minMargin", o.minMargin,
+          "at least the margin that avoid() keeps");
   require(o.margin >= o.minMargin, "margin", o.margin, "at least minMargin");
   require(o.minTravel > o.safety.nearDistance, "minTravel", o.minTravel,
           "above the distance that avoid() keeps free");
@@ -41,12 +42,6 @@ void check(const LocalDrive::Options &o)
   require(o.minHorizon >= o.minTravel, "minHorizon", o.minHorizon, "at least minTravel");
   require(o.maxHorizon >= o.minHorizon, "maxHorizon", o.maxHorizon, "at least minHorizon");
   require(o.turnCost >= 0.0, "turnCost", o.turnCost, "0 or more");
-}
-
-/** What may stand inside a footprint grown by `margin`, while the robot does not go nearer. */
-constexpr double inside(double margin)
-{
-  return margin + kInsideTolerance;
 }
 
 std::vector<Eigen::Vector2d> seenFrom(const std::vector<Eigen::Vector2d> &points, const Pose2 &rMp)
@@ -107,11 +102,8 @@ LocalDrive::Surroundings LocalDrive::look(const std::vector<Eigen::Vector2d> &po
       around.points.push_back(p);
     }
   }
-  const Footprint grown = m_footprint.grown(m_options.minMargin);
-  const double full = 2.0 * kPi;
   const auto turn = [&](double w) {
-    return std::min(freeTravel(around.points, grown, {0.0, w}, full, inside(m_options.minMargin)),
-                    freeTravel(around.points, m_footprint, {0.0, w}, full));
+    return guardedTravel(around.points, m_footprint, m_options.minMargin, {0.0, w}, 2.0 * kPi);
   };
   around.freeLeft = turn(1.0);
   around.freeRight = turn(-1.0);
@@ -134,16 +126,14 @@ std::optional<double> LocalDrive::spotTurn(const Surroundings &around, double tu
 double LocalDrive::arcTravel(const Surroundings &around, double curvature, double turn,
                              double margin) const
 {
-  const Footprint grown = m_footprint.grown(margin);
   const Twist2 arc{1.0, curvature};
   const double length = std::min(around.horizon, std::abs(turn / curvature));
-  const double bend = std::min(freeTravel(around.points, grown, arc, length, inside(margin)),
-                               freeTravel(around.points, m_footprint, arc, length));
+  const double bend = guardedTravel(around.points, m_footprint, margin, arc, length);
   if (bend < length) {
     return bend;
   }
-  return length + freeTravel(seenFrom(around.points, integrate(arc, length)), grown, {1.0, 0.0},
-                             around.horizon - length, inside(margin));
+  return length + guardedTravel(seenFrom(around.points, integrate(arc, length)), m_footprint,
+                                margin, {1.0, 0.0}, around.horizon - length);
 }
 
 LocalDrive::Way LocalDrive::score(const Surroundings &around, double turn, double deflection) const

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/laser/safety.h>
 
+#include "sweep.h"
+
 #include <homeward/core/error.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace homeward
@@ -27,6 +30,10 @@ void check(const AvoidOptions &options)
   requirePositive("turnRate", options.turnRate);
   requirePositive("deceleration", options.deceleration);
   requirePositive("turnDeceleration", options.turnDeceleration);
+  if (!(options.margin >= 0.0)) {
+    throw LogicError("avoid: margin is " + std::to_string(options.margin) +
+                     " m, must not be negative");
+  }
   if (!(options.reaction >= 0.0)) {
     throw LogicError("avoid: reaction is " + std::to_string(options.reaction) +
                      " s, must not be negative");
@@ -41,22 +48,34 @@ Twist2 slowed(const Twist2 &twist, double limit)
   return {twist.v * share, twist.w * share};
 }
 
-/** Metres free straight on (or back) after a turn on the spot; negative when the turn touches. */
-double afterTurn(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
-                 double turn, double direction)
+/** Whether the robot, turned on the spot, has the near distance free straight on (or back). */
+bool freeWhenTurned(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
+                    double turn, double direction, double margin, double distance)
 {
-  constexpr double kLookAhead = 1.0;
-  const double size = std::abs(turn);
-  if (freeTravel(points, footprint, {0.0, turn}, size) < size) {
-    return -1.0;
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  return std::none_of(points.begin(), points.end(), [&](const Eigen::Vector2d &p) {
+    const double x = c * p.x() + s * p.y();
+    const double y = c * p.y() - s * p.x();
+    return straightTravel(footprint.grown(margin), x, y, direction, inside(margin)) < distance;
+  });
+}
+
+/** The least turn to one side, rad, after which the way is free; nothing when it is out of reach.
+ */
+std::optional<double> turnAway(const std::vector<Eigen::Vector2d> &points,
+                               const Footprint &footprint, double side, double direction,
+                               const AvoidOptions &options)
+{
+  constexpr double kStep = radians(2.5);
+  const double room = guardedTravel(points, footprint, options.margin, {0.0, side}, kPi);
+  for (double turn = options.turnAngle; turn <= room; turn += kStep) {
+    if (freeWhenTurned(points, footprint, side * turn, direction, options.margin,
+                       options.nearDistance)) {
+      return turn;
+    }
   }
-  const Pose2 turned = Pose2{0.0, 0.0, turn}.inverse();
-  std::vector<Eigen::Vector2d> seen;
-  seen.reserve(points.size());
-  for (const Eigen::Vector2d &p : points) {
-    seen.push_back(turned * p);
-  }
-  return freeTravel(seen, footprint, {direction, 0.0}, kLookAhead);
+  return std::nullopt;
 }
 
 } // namespace
@@ -81,22 +100,23 @@ Twist2 avoid(const std::vector<Eigen::Vector2d> &points, const Footprint &footpr
     if (wanted.w == 0.0) {
       return wanted;
     }
-    const double free = freeTravel(points, footprint, wanted, 2.0 * kPi);
+    const double free = guardedTravel(points, footprint, options.margin, wanted, 2.0 * kPi);
     return slowed(wanted, stoppableSpeed(free, options.turnDeceleration, options.reaction));
   }
   const double enough = options.nearDistance + std::abs(wanted.v) * options.reaction +
                         wanted.v * wanted.v / (2.0 * options.deceleration);
-  const double free = freeTravel(points, footprint, wanted, enough);
+  const double free = guardedTravel(points, footprint, options.margin, wanted, enough);
   if (free >= options.nearDistance) {
     return slowed(wanted, stoppableSpeed(free, options.deceleration, options.reaction));
   }
   const double direction = wanted.v > 0.0 ? 1.0 : -1.0;
-  const double left = afterTurn(points, footprint, options.turnAngle, direction);
-  const double right = afterTurn(points, footprint, -options.turnAngle, direction);
-  if (left < 0.0 && right < 0.0) {
+  const auto left = turnAway(points, footprint, 1.0, direction, options);
+  const auto right = turnAway(points, footprint, -1.0, direction, options);
+  if (!left && !right) {
     return {};
   }
-  const bool toLeft = left != right ? left > right : wanted.w >= 0.0;
+  const double gain = right.value_or(2.0 * kPi) - left.value_or(2.0 * kPi);
+  const bool toLeft = gain != 0.0 ? gain > 0.0 : wanted.w >= 0.0;
   return {0.0, toLeft ? options.turnRate : -options.turnRate};
 }
 

@@ -46,4 +46,21 @@ inline double straightTravel(const Footprint &f, double x, double y, double dire
   return !inside || ignorable(f, x, y, -direction, 0.0, tolerance) ? kNever : 0.0;
 }
 
+/** What may stand inside a footprint grown by `margin`, while the robot does not go nearer. */
+constexpr double inside(double margin)
+{
+  return margin + kInsideTolerance;
+}
+
+/**
+ * As freeTravel(), keeping `margin` metres clear but for what stands nearer already and gets no
+ * nearer.
+ */
+inline double guardedTravel(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
+                            double margin, const Twist2 &arc, double horizon)
+{
+  return std::min(freeTravel(points, footprint.grown(margin), arc, horizon, inside(margin)),
+                  freeTravel(points, footprint, arc, horizon));
+}
+
 } // namespace homeward

@@ -17,7 +17,7 @@ struct CarmenScan
   Scan scan;         ///< in the laser's frame, stamped with `time`
   Pose2 pose;        ///< of the laser in the log's frame, as its writer knew it
   Pose2 odometry;    ///< of the robot in the odometry frame
-  double time = 0.0; ///< s, when it was measured
+  double time = 0.0; ///< s, when it was measured; logs step back by a second at times
 };
 
 /** What a log holds of interest here. */

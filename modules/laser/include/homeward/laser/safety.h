@@ -13,7 +13,8 @@ namespace homeward
 struct AvoidOptions
 {
   double nearDistance = 0.20;       ///< metres along the commanded path that must be free
-  double turnAngle = radians(15.0); ///< rad turned away from what is nearer
+  double margin = 0.03;             ///< metres beside that path kept free, where they are
+  double turnAngle = radians(15.0); ///< rad turned away at least from what is nearer
   double turnRate = 0.5;            ///< rad/s while turning away
   double deceleration = 0.5;        ///< m/s^2 the base brakes with
   double turnDeceleration = 1.0;    ///< rad/s^2
@@ -32,13 +33,14 @@ double stoppableSpeed(double distance, double deceleration, double reaction);
  *
  *     wanted                                          | result
  *     driving, path free for nearDistance             | wanted, slowed until it can stop in time
- *     driving, something nearer in the swept path     | turn on the spot by turnAngle, away from it
+ *     driving, something nearer in the swept path     | turn on the spot, away from it
  *     the same, and neither side is free to turn      | stop
  *     turning on the spot                             | wanted, slowed until it can stop in time
  *
- * The path is the floor swept by the footprint along the wanted arc, so that a narrow door stays
- * passable. "Away" is the side after which more of the way is free: once begun, a turn goes on to
- * the same side. A slowed twist keeps its arc.
+ * The path is the floor swept by the footprint, grown by `margin`, along the wanted arc, so that a
+ * narrow door stays passable. What stands within the margin already counts when it gets nearer.
+ * "Away" is the side that needs the smaller turn, at least turnAngle, until nearDistance is free
+ * straight on: once begun, a turn goes on to the same side. A slowed twist keeps its arc.
  *
  * @param points obstacles in the robot's frame, metres
  * @throw LogicError for options out of bounds or a footprint without area
