@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace homeward
+{
+
+/** Exit statuses of every command. */
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitFailed = 1;
+inline constexpr int kExitUsage = 2;
+
+/** Each adds its subcommand; a subcommand stores its exit status in `status` when it has run. */
+void addExploreCommand(CLI::App &app, int &status);
+void addNavigateCommand(CLI::App &app, int &status);
+void addMapCommand(CLI::App &app, int &status);
+void addUnwrapCommand(CLI::App &app, int &status);
+void addScanCommand(CLI::App &app, int &status);
+
+} // namespace homeward

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "files.h"
+
+#include <homeward/core/error.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace homeward
+{
+namespace fs = std::filesystem;
+
+fs::path shippedFile(const std::string &name)
+{
+  if (const char *folder = std::getenv("HOMEWARD_DATA")) {
+    return fs::path(folder) / name;
+  }
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path().parent_path() / "share/homeward" / name;
+  return fs::exists(installed, ignored) ? installed : fs::path(HOMEWARD_SOURCE_DATA) / name;
+}
+
+std::string readText(const fs::path &file, const std::string &what)
+{
+  std::error_code ignored;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || fs::is_directory(file, ignored)) {
+    throw ConfigError("cannot read the " + what + " " + file.string() +
+                      "; check the name and its permissions");
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void writeText(const std::string &file, const std::string &text)
+{
+  if (file == "-") {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return;
+  }
+  const fs::path part = file + ".part";
+  {
+    std::ofstream stream(part, std::ios::binary);
+    stream << text;
+    stream.flush();
+    if (!stream) {
+      std::error_code ignored;
+      fs::remove(part, ignored);
+      throw RuntimeError("cannot write " + file + "; check that the folder exists and has room");
+    }
+  }
+  std::error_code error;
+  fs::rename(part, file, error);
+  if (error) {
+    throw RuntimeError("cannot write " + file + ": " + error.message());
+  }
+}
+
+nlohmann::json jsonHeader(const std::string &command)
+{
+  return {{"schema", 1}, {"version", HOMEWARD_VERSION}, {"command", command}};
+}
+
+void writeJson(const std::string &file, const nlohmann::json &json)
+{
+  if (!file.empty()) {
+    writeText(file, json.dump(2) + "\n");
+  }
+}
+
+} // namespace homeward

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace homeward
+{
+
+/** A file of data/: from $HOMEWARD_DATA, else the installed share/homeward, else the source tree.
+ */
+std::filesystem::path shippedFile(const std::string &name);
+
+/** The whole of a text file. @throw ConfigError naming the file when it cannot be read */
+std::string readText(const std::filesystem::path &file, const std::string &what);
+
+/** Writes all or nothing; "-" is standard output. @throw RuntimeError naming the file */
+void writeText(const std::string &file, const std::string &text);
+
+/** The keys that the JSON of every command has. */
+nlohmann::json jsonHeader(const std::string &command);
+
+/** Writes JSON to a file or "-"; does nothing for an empty name. @throw RuntimeError naming the
+ * file */
+void writeJson(const std::string &file, const nlohmann::json &json);
+
+} // namespace homeward

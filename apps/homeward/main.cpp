@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+
+#include <homeward/core/error.h>
+
+#include <opencv2/core.hpp>
+
+#include <cstdio>
+#include <exception>
+
+int main(int argc, char **argv)
+{
+  cv::setNumThreads(1); // results must not depend on how many threads share a sum
+  CLI::App app{"Visual navigation with a mirror camera."};
+  app.name("homeward");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", HOMEWARD_VERSION);
+  int status = homeward::kExitDone;
+  homeward::addExploreCommand(app, status);
+  homeward::addNavigateCommand(app, status);
+  homeward::addMapCommand(app, status);
+  homeward::addUnwrapCommand(app, status);
+  homeward::addScanCommand(app, status);
+  try {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError &error) {
+    return app.exit(error) == 0 ? homeward::kExitDone : homeward::kExitUsage;
+  }
+  catch (const homeward::ConfigError &error) {
+    std::fprintf(stderr, "homeward: %s\n", error.what());
+    return homeward::kExitUsage;
+  }
+  catch (const std::exception &error) {
+    std::fprintf(stderr, "homeward: %s\n", error.what());
+    return homeward::kExitFailed;
+  }
+  return status;
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+#include "files.h"
+
+#include <homeward/core/error.h>
+#include <homeward/evaluation/truth_log.h>
+#include <homeward/robot/robot_description.h>
+#include <homeward/sim/simulator.h>
+#include <homeward/store/export.h>
+#include <homeward/store/map_file.h>
+#include <homeward/viewer/map_picture.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace homeward
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct MapArguments
+{
+  std::string map;
+  std::string output;
+  std::string format;
+  std::string world;
+  std::string json;
+};
+
+void info(const MapArguments &arguments)
+{
+  const MapFile file = MapFile::open(arguments.map, MapFile::Access::Read);
+  const TopologicalMap &map = file.map();
+  std::printf("%s: nodes %zu, edges %zu, open directions %d, %ju bytes\n", arguments.map.c_str(),
+              map.nodes().size(), map.edges().size(), map.openDirectionCount(),
+              static_cast<std::uintmax_t>(fs::file_size(arguments.map)));
+  for (const auto &[id, node] : map.nodes()) {
+    std::printf("node %lld: ", static_cast<long long>(id.value));
+    for (const NodeId neighbour : map.neighbours(id)) {
+      std::printf("- %lld ", static_cast<long long>(neighbour.value));
+    }
+    std::printf("\n");
+    for (const Direction &direction : node.directions) {
+      std::printf("  %+4.0f deg %s %s\n", degrees(direction.bearing),
+                  std::string(name(direction.state)).c_str(), direction.reason.c_str());
+    }
+  }
+  nlohmann::json json = jsonHeader("map info");
+  json["nodes"] = map.nodes().size();
+  json["edges"] = map.edges().size();
+  json["open_directions"] = map.openDirectionCount();
+  writeJson(arguments.json, json);
+}
+
+/** The floor of the world that the map was made in, when the truth beside the map names it. */
+std::optional<FloorPicture> floorOf(const TruthLog &truth)
+{
+  const auto scene = std::make_shared<const Scene>(loadScene(truth.world));
+  const RobotDescription robot =
+      parseRobotDescription(readText(truth.robot, "robot description"), truth.robot);
+  const std::string cameraFile = shippedFile("cameras/sim_nominal.yaml").string();
+  const MirrorCamera camera = parseMirrorCamera(readText(cameraFile, "camera file"), cameraFile);
+  SimulatorOptions options;
+  options.start = truth.start;
+  const Simulator simulator(scene, robot, camera, options);
+  const FloorPlan plan = simulator.freeSpace().floorPlan();
+  return FloorPicture{plan.image, plan.origin, plan.resolution};
+}
+
+void render(const MapArguments &arguments)
+{
+  const MapFile file = MapFile::open(arguments.map, MapFile::Access::Read);
+  std::optional<TruthLog> truth = loadTruthLog(truthLogFile(arguments.map));
+  MapPicture picture;
+  picture.title = fs::path(arguments.map).stem().string();
+  if (truth) {
+    if (!arguments.world.empty()) {
+      truth->world = arguments.world;
+    }
+    picture.poses = truth->nodes;
+    picture.trajectory = truth->path;
+    picture.robot = truth->end;
+    picture.floor = floorOf(*truth);
+  }
+  const std::string output = arguments.output.empty()
+                                 ? fs::path(arguments.map).replace_extension(".svg").string()
+                                 : arguments.output;
+  if (fs::path(output).extension() == ".svg") {
+    writeText(output, mapSvg(file.map(), picture));
+    return;
+  }
+  std::vector<unsigned char> bytes;
+  bool encoded = false;
+  try {
+    encoded =
+        cv::imencode(fs::path(output).extension().string(), mapImage(file.map(), picture), bytes);
+  }
+  catch (const cv::Exception &) {
+    encoded = false;
+  }
+  if (!encoded) {
+    throw ConfigError("cannot draw to " + output + "; name it .svg or .png");
+  }
+  writeText(output, std::string(bytes.begin(), bytes.end()));
+}
+
+void exportMap(const MapArguments &arguments)
+{
+  const MapFile file = MapFile::open(arguments.map, MapFile::Access::Read);
+  std::string text;
+  if (arguments.format == "canonical") {
+    text = exportCanonical(file);
+  }
+  else if (arguments.format == "graphml") {
+    text = exportGraphml(file.map());
+  }
+  else if (arguments.format == "dot") {
+    text = exportDot(file.map());
+  }
+  else {
+    text = exportJson(file);
+  }
+  writeText(arguments.output.empty() ? "-" : arguments.output, text);
+}
+
+} // namespace
+
+void addMapCommand(CLI::App &app, int &status)
+{
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App *map = app.add_subcommand("map", "Look at a map file");
+  map->require_subcommand(1);
+
+  CLI::App *infoCommand = map->add_subcommand("info", "What is in it");
+  infoCommand->footer("Example: homeward map info lab.hwm");
+  infoCommand->add_option("map", arguments->map, "Map file")->required();
+  infoCommand->add_option("--json", arguments->json,
+                          "Write a summary as JSON (- for standard output)");
+  infoCommand->callback([arguments, &status] {
+    info(*arguments);
+    status = kExitDone;
+  });
+
+  CLI::App *renderCommand =
+      map->add_subcommand("render", "Draw it, over the true floor plan if known");
+  renderCommand->footer("Example: homeward map render lab.hwm -o lab.png");
+  renderCommand->add_option("map", arguments->map, "Map file")->required();
+  renderCommand->add_option("-o,--output", arguments->output, "Picture, .svg or .png");
+  renderCommand->add_option("--world", arguments->world, "World file, where it has moved");
+  renderCommand->callback([arguments, &status] {
+    render(*arguments);
+    status = kExitDone;
+  });
+
+  CLI::App *exportCommand = map->add_subcommand("export", "Write it in another form");
+  exportCommand->footer("Example: homeward map export lab.hwm --canonical");
+  exportCommand->add_option("map", arguments->map, "Map file")->required();
+  exportCommand->add_option("--format", arguments->format, "canonical, graphml, dot or json")
+      ->check(CLI::IsMember({"canonical", "graphml", "dot", "json"}));
+  exportCommand->add_flag_callback(
+      "--canonical", [arguments] { arguments->format = "canonical"; },
+      "Short for --format canonical");
+  exportCommand->add_option("-o,--output", arguments->output, "File (default: standard output)");
+  exportCommand->callback([arguments, &status] {
+    exportMap(*arguments);
+    status = kExitDone;
+  });
+}
+
+} // namespace homeward

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mission_setup.h"
+
+#include <homeward/store/content_hash.h>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace homeward
+{
+
+PilotOptions pilotOptions(const SimulatedRobot &robot, const std::string &homingMethod)
+{
+  PilotOptions options;
+  options.motion.maxSpeed = robot.limits().maxSpeed;
+  options.motion.maxTurnRate = robot.limits().maxTurnRate;
+  options.homingMethod = homingMethod;
+  return options;
+}
+
+OpenDirectionOptions openDirectionOptions(double forwardDistance)
+{
+  // In a wide room nearly everything is open; a drive is worth it wherever it can go to its end,
+  // and a wide opening deserves more than one.
+  OpenDirectionOptions options;
+  options.stoppingRange = forwardDistance;
+  options.openRangeCap = forwardDistance + 0.6;
+  options.widestSegment = radians(80.0);
+  options.count = 5;
+  return options;
+}
+
+MapHeader mapHeader(const SimulatedRobot &robot, const PilotOptions &options)
+{
+  MapHeader header;
+  header.cameraHash = contentHashText(robot.cameraText());
+  header.panorama = options.panorama;
+  header.signatureKind = std::string(name(SignatureKind::Jeffrey));
+  header.signatureVersion = kSignatureVersion;
+  header.thresholds = {{"histogram_threshold", options.places.histogramThreshold},
+                       {"same_distance", options.places.verifier.sameDistance},
+                       {"same_match", options.places.verifier.sameMatch}};
+  return header;
+}
+
+void rememberAll(const MapFile &file, Pilot &pilot)
+{
+  for (const auto &[id, node] : file.map().nodes()) {
+    pilot.remember(id, file.panorama(id));
+  }
+}
+
+std::string name(Outcome outcome)
+{
+  switch (outcome) {
+  case Outcome::Done:
+    return "done";
+  case Outcome::Stopped:
+    return "stopped";
+  case Outcome::Failed:
+    break;
+  }
+  return "failed";
+}
+
+void showProgress(const std::string &line)
+{
+  if (isatty(STDERR_FILENO) != 0) {
+    std::fprintf(stderr, "\r\033[K%s", line.c_str());
+    std::fflush(stderr);
+  }
+}
+
+void endProgress()
+{
+  if (isatty(STDERR_FILENO) != 0) {
+    std::fputs("\r\033[K", stderr);
+  }
+}
+
+} // namespace homeward

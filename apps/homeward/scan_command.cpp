@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+#include "files.h"
+
+#include <homeward/core/error.h>
+#include <homeward/laser/carmen_log.h>
+#include <homeward/laser/open_directions.h>
+#include <homeward/viewer/scan_picture.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+namespace homeward
+{
+namespace
+{
+
+struct ScanArguments
+{
+  std::string log;
+  std::string json;
+  std::string picture;
+  std::size_t index = 0;
+};
+
+void drawScan(const ScanArguments &arguments, const CarmenScan &scan,
+              const std::vector<OpenDirection> &directions)
+{
+  ScanPicture picture;
+  picture.title = std::filesystem::path(arguments.log).filename().string() + ", scan " +
+                  std::to_string(arguments.index);
+  picture.openDirections = directions;
+  if (std::filesystem::path(arguments.picture).extension() == ".svg") {
+    writeText(arguments.picture, scanSvg(scan.scan, picture));
+    return;
+  }
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", scanImage(scan.scan, picture), bytes);
+  writeText(arguments.picture, std::string(bytes.begin(), bytes.end()));
+}
+
+void scan(const ScanArguments &arguments)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const CarmenLog log = readCarmenLog(arguments.log);
+  if (!arguments.picture.empty() && arguments.index >= log.scans.size()) {
+    throw ConfigError("--index " + std::to_string(arguments.index) + ": " + arguments.log +
+                      " has " + std::to_string(log.scans.size()) + " scans, counted from 0");
+  }
+  nlohmann::json json = jsonHeader("scan");
+  json["log"] = arguments.log;
+  json["odometry_lines"] = log.odometryLines;
+  json["scans"] = nlohmann::json::array();
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    const CarmenScan &taken = log.scans[i];
+    const std::vector<OpenDirection> directions = findOpenDirections(taken.scan, {});
+    found += directions.size();
+    nlohmann::json entry{
+        {"index", i}, {"time_s", taken.time}, {"readings", taken.scan.ranges.size()}};
+    entry["directions"] = nlohmann::json::array();
+    for (const OpenDirection &direction : directions) {
+      entry["directions"].push_back({{"bearing_rad", direction.bearing},
+                                     {"width_rad", direction.width},
+                                     {"range_m", direction.range}});
+    }
+    json["scans"].push_back(entry);
+    if (!arguments.picture.empty() && i == arguments.index) {
+      drawScan(arguments, taken, directions);
+    }
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  json["wall_time_s"] = wall.count();
+  if (arguments.json != "-") {
+    std::printf("%s: scans %zu, odometry lines %zu, open directions %zu (%.1f a scan)\n",
+                arguments.log.c_str(), log.scans.size(), log.odometryLines, found,
+                log.scans.empty()
+                    ? 0.0
+                    : static_cast<double>(found) / static_cast<double>(log.scans.size()));
+  }
+  writeJson(arguments.json, json);
+}
+
+} // namespace
+
+void addScanCommand(CLI::App &app, int &status)
+{
+  auto arguments = std::make_shared<ScanArguments>();
+  CLI::App *command = app.add_subcommand("scan", "Open directions of the scans of a CARMEN log");
+  command->footer("Example: homeward scan intel.log.gz --picture scan.png --index 100");
+  command->add_option("log", arguments->log, "CARMEN log, plain or .gz")->required();
+  command->add_option("--json", arguments->json,
+                      "Write every scan's directions as JSON (- for standard output)");
+  command->add_option("--picture", arguments->picture, "Draw one scan, .svg or .png");
+  command->add_option("--index", arguments->index, "Scan to draw, counted from 0")
+      ->capture_default_str();
+  command->callback([arguments, &status] {
+    scan(*arguments);
+    status = kExitDone;
+  });
+}
+
+} // namespace homeward

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stop_signal.h"
+
+#include <csignal>
+
+namespace homeward
+{
+namespace
+{
+
+std::atomic<bool> g_stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+void onSignal(int number)
+{
+  g_stop = true;
+  std::signal(number, SIG_DFL);
+}
+
+} // namespace
+
+const std::atomic<bool> &stopSignal()
+{
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    std::signal(number, onSignal);
+  }
+  return g_stop;
+}
+
+} // namespace homeward

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+
+namespace homeward
+{
+
+/** Set by Ctrl-C, a kill or a lost terminal from the first call on; a second Ctrl-C ends the
+ * program. */
+const std::atomic<bool> &stopSignal();
+
+} // namespace homeward

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/homing/home_vector.h>
+#include <homeward/mission/report.h>
+#include <homeward/pilot/motion.h>
+#include <homeward/pilot/vision_worker.h>
+#include <homeward/servo/homing_servo.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace homeward
+{
+
+/** Settings of a drive to a place by sight. */
+struct HomingRunOptions
+{
+  double visionPeriod = 0.4;      ///< s between pictures
+  double visionLatency = 0.2;     ///< s from a picture to its home vector
+  double commandSeconds = 1.5;    ///< s after which a home vector is too old to drive on
+  double arrivedProxy = 0.06;     ///< distance proxy of a place reached
+  double nearProxy = 0.14;        ///< within it, a home vector that swings round means "passed it"
+  double minConfidence = 0.12;    ///< home vectors below say nothing
+  double lostSeconds = 8.0;       ///< s without a home vector that says something
+  double blockedSeconds = 6.0;    ///< s without a free way
+  double timeoutSeconds = 75.0;   ///< s altogether
+  double departureDistance = 1.5; ///< metres over which a known departure bearing is trusted
+};
+
+/**
+ * One drive to a place by sight: home vectors come from perception at its own rate, the visual
+ * servo turns them into velocities at every tick, the motion lets through what is safe.
+ */
+class HomingRun
+{
+public:
+  /** Computes a home vector from a new picture; called on the perception thread. */
+  using Look = std::function<std::optional<HomeVector>(const cv::Mat &picture)>;
+
+  /** How it ended, and the stored heading of the place in the odometry frame when it arrived. */
+  struct Result
+  {
+    HomingEnd end = HomingEnd::Lost;
+    double oPlaceHeading = 0.0;
+  };
+
+  HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look);
+
+  /** Drives until it has arrived or cannot go on. @param oDeparture heading to try first, odometry
+   * frame */
+  Result run(std::optional<double> oDeparture);
+
+private:
+  struct Seen
+  {
+    HomeVector home;
+    Pose2 oMr; ///< the robot when the picture was taken
+  };
+
+  void perceive();
+  void take(const HomeVector &home, const Pose2 &oMr);
+  bool arrived() const;
+  double placeHeading() const;
+  Eigen::Vector2d wayHome(std::optional<double> oDeparture) const;
+  void drive(const Eigen::Vector2d &oWay);
+
+  Motion &m_motion;
+  HomingServo &m_servo;
+  HomingRunOptions m_options;
+  Look m_look;
+  VisionWorker<std::optional<HomeVector>> m_worker;
+  std::vector<Seen> m_seen; ///< home vectors that said something, oldest first
+  Pose2 m_pictureAt;
+  Time m_nextPicture;
+  Time m_lastSeen;
+  Time m_lastFree;
+  Pose2 m_start;
+  double m_startTravelled = 0.0;
+  int m_arrivals = 0;
+};
+
+} // namespace homeward

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/laser/local_drive.h>
+#include <homeward/pilot/obstacle_memory.h>
+#include <homeward/robot/clock.h>
+#include <homeward/robot/image_source.h>
+#include <homeward/robot/laser_scanner.h>
+#include <homeward/robot/mobile_base.h>
+#include <homeward/robot/robot_description.h>
+
+#include <atomic>
+#include <optional>
+
+namespace homeward
+{
+
+/** The robot's devices; whoever owns them outlives their users. */
+struct Devices
+{
+  Clock &clock;
+  MobileBase &base;
+  LaserScanner &laser;
+  ImageSource &camera;
+};
+
+/** Settings of the control loop. */
+struct MotionOptions
+{
+  double tickSeconds = 0.1;
+  double staleSeconds = 0.5; ///< a scan or state older than this stops the robot
+  double maxSpeed = 0.5;     ///< m/s
+  double maxTurnRate = 1.0;  ///< rad/s
+  double margin = 0.08;      ///< metres preferred round the body
+  double retreat = 0.3;      ///< metres driven back along the way it came after a contact
+  ObstacleMemory::Options memory;
+};
+
+/** Thrown inside the pilot when somebody asks the robot to stop; the robot stands when it arrives.
+ */
+struct StopRequested
+{};
+
+/**
+ * The fast half of the pilot: one tick reads base and laser, remembers obstacles near by, and
+ * whatever is asked for goes to the wheels only as far as it is safe. Never waits for perception.
+ */
+class Motion
+{
+public:
+  /** What a tick saw. */
+  struct Sight
+  {
+    BaseState base;
+    std::optional<Scan> scan;            ///< newest, laser frame
+    std::vector<Eigen::Vector2d> points; ///< obstacles near by, robot frame, metres
+  };
+
+  /** @param stop set by anybody at any time: the next tick stops the robot and throws StopRequested
+   */
+  Motion(const Devices &devices, const RobotDescription &robot, const MotionOptions &options,
+         const std::atomic<bool> &stop);
+
+  /** Stops the robot. */
+  ~Motion();
+  Motion(const Motion &) = delete;
+  Motion &operator=(const Motion &) = delete;
+
+  /**
+   * Waits for the next tick and looks. Frees the robot first when something holds it.
+   * @throw DeviceError when a device is gone or stale, StopRequested; the robot stands in both
+   * cases
+   */
+  const Sight &tick();
+
+  const Sight &sight() const { return m_sight; }
+  const Pose2 &pose() const { return m_sight.base.odometry; }
+
+  /** Metres driven so far, along the path. */
+  double travelled() const { return m_travelled; }
+
+  /** Drives towards a bearing for one tick, round what is in the way. Radians in the robot's frame,
+   * m/s. */
+  LocalDrive::State steer(double bearing, double speed);
+
+  /**
+   * Drives a twist for one tick when its arc is free, else steers towards the bearing that it
+   * serves.
+   * @param bearing radians in the robot's frame
+   */
+  LocalDrive::State follow(const Twist2 &twist, double bearing);
+
+  /** Turns on the spot to a heading of the odometry frame. @return false when there is no room to
+   */
+  bool turnTo(double oHeading);
+
+  /** Zero velocity; returns when the robot stands. */
+  void stop();
+
+  Devices &devices() { return m_devices; }
+
+private:
+  void look();
+  void backOff();
+  bool turnIsFree(double angle) const;
+
+  Devices m_devices;
+  MotionOptions m_options;
+  const std::atomic<bool> &m_stop;
+  Footprint m_footprint;
+  Pose2 m_rMl;
+  AvoidOptions m_safety;
+  LocalDrive m_localDrive;
+  ObstacleMemory m_memory;
+  Sight m_sight;
+  Time m_nextTick;
+  double m_travelled = 0.0;
+  bool m_looked = false;
+};
+
+} // namespace homeward

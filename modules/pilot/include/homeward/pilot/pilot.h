@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/camera/unwarper.h>
+#include <homeward/homing/homing_method.h>
+#include <homeward/laser/open_directions.h>
+#include <homeward/mission/command.h>
+#include <homeward/mission/report.h>
+#include <homeward/pilot/homing_run.h>
+#include <homeward/pilot/motion.h>
+#include <homeward/pilot/place_memory.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace homeward
+{
+
+/** Settings of the pilot. */
+struct PilotOptions
+{
+  MotionOptions motion;
+  PlaceMemory::Options places;
+  HomingRunOptions homing;
+  OpenDirectionOptions directions;
+  std::string homingMethod = "minwarping"; ///< see makeHomingMethod()
+  PanoramaGeometry panorama;
+};
+
+/**
+ * Carries out commands with sensors and wheels and says how it went. Single-threaded but for one
+ * perception worker; safety and base run at every tick and never wait for it.
+ */
+class Pilot
+{
+public:
+  /** All arguments but the options must outlive the pilot. @param stop see Motion */
+  Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
+        const PilotOptions &options, const std::atomic<bool> &stop);
+
+  /** Does what the command says; the robot stands afterwards. @throw DeviceError when a device is
+   * gone */
+  Report execute(const Command &command);
+
+  /** The panorama taken by the last Survey, gray. */
+  const Panorama &view() const { return m_view; }
+
+  /** Makes a node known by sight. @param panorama as decoded from the map file */
+  void remember(NodeId node, const Panorama &panorama) { m_places.add(node, panorama); }
+
+  /** Metres driven so far, by odometry. */
+  double travelled() const { return m_motion.travelled(); }
+
+  /** Called with every place decision, for logs; may be empty. */
+  std::function<void(const std::string &)> trace;
+
+  /** Called when a Survey has taken its picture, before the robot turns; may be empty. */
+  std::function<void()> onView;
+
+private:
+  Report run(const Survey &command);
+  Report run(const DriveDirection &command);
+  Report run(const Recognise &command);
+  Report run(const HomeTo &command);
+  Report run(const Finish &command);
+
+  Panorama look();
+  Scan scanAllRound(const Pose2 &oMr);
+  Chord chordTo(const Pose2 &oMplace) const;
+
+  /** The robot stands at a place whose stored heading is `oMplace.heading`. */
+  void standAt(const Pose2 &oMplace);
+
+  PilotOptions m_options;
+  RobotDescription m_robot;
+  Motion m_motion;
+  Unwarper m_unwarper;
+  PlaceMemory m_places;
+  std::unique_ptr<HomingMethod> m_homing;
+  Panorama m_view;
+  Pose2 m_oMplace;       ///< the node stood at last, heading as stored with it
+  double m_leftAt = 0.0; ///< travelled() when it was left
+};
+
+} // namespace homeward

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/camera/panorama.h>
+#include <homeward/core/id.h>
+#include <homeward/homing/min_warping.h>
+#include <homeward/mission/report.h>
+#include <homeward/place/pair_verifier.h>
+#include <homeward/place/place_index.h>
+
+#include <map>
+#include <vector>
+
+namespace homeward
+{
+
+/** Says by min-warping whether two panoramas show the same place, and how near. */
+class WarpingVerifier : public PairVerifier
+{
+public:
+  struct Options
+  {
+    double sameDistance = 0.35; ///< distance proxy up to which two views are one place
+    double sameMatch = 0.42;    ///< match distance up to which they show the same surroundings
+    double otherMatch = 0.62;   ///< match distance from which they surely do not
+    double minConfidence = 0.3; ///< of the home vector, for a place to be verified
+  };
+
+  explicit WarpingVerifier(const Options &options) : m_options(options) {}
+
+  Verification verify(const Panorama &current, const Panorama &stored) override;
+
+  /** As verify(), on prepared panoramas. */
+  Verification verify(const ColumnFeatures &current, const ColumnFeatures &stored) const;
+
+  ColumnFeatures prepare(const Panorama &panorama) const { return m_warping.prepare(panorama); }
+
+private:
+  Options m_options;
+  MinWarping m_warping;
+};
+
+/** The places the robot knows by sight. */
+class PlaceMemory
+{
+public:
+  struct Options
+  {
+    /** Jeffrey divergence, seed's scale, up to which a place is a candidate without verification.
+     */
+    double histogramThreshold = 500.0;
+    std::size_t candidates = 40; ///< places compared pair by pair, the most similar histograms first
+    bool verify = true;  ///< false: the nearest histogram below the threshold decides, as the seed
+    WarpingVerifier::Options verifier;
+  };
+
+  explicit PlaceMemory(const Options &options);
+
+  /** @throw LogicError when the node is known already */
+  void add(NodeId node, const Panorama &panorama);
+
+  bool knows(NodeId node) const { return m_places.contains(node); }
+
+  /** @throw LogicError for an unknown node */
+  const Panorama &snapshot(NodeId node) const;
+
+  /** Which known places this view may show, best first. */
+  std::vector<PlaceMatch> recognise(const Panorama &current) const;
+
+private:
+  struct Place
+  {
+    Panorama panorama;
+    ColumnFeatures features;
+  };
+
+  Options m_options;
+  WarpingVerifier m_verifier;
+  PlaceIndex m_index;
+  std::map<NodeId, Place> m_places;
+};
+
+} // namespace homeward

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/pilot/homing_run.h>
+
+#include <homeward/core/error.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace homeward
+{
+namespace
+{
+
+/** Home vectors that are averaged. */
+constexpr std::size_t kRecent = 4;
+
+Eigen::Vector2d unit(double angle)
+{
+  return {std::cos(angle), std::sin(angle)};
+}
+
+} // namespace
+
+HomingRun::HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look)
+    : m_motion(motion), m_servo(servo), m_options(options), m_look(std::move(look)),
+      m_worker(fromSeconds(options.visionLatency))
+{}
+
+HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
+{
+  if (oDeparture) {
+    m_motion.turnTo(*oDeparture);
+  }
+  const Time begin = m_motion.devices().clock.now();
+  m_nextPicture = begin;
+  m_lastSeen = begin;
+  m_lastFree = begin;
+  m_start = m_motion.pose();
+  m_startTravelled = m_motion.travelled();
+  const auto ends = [this](HomingEnd end) {
+    m_motion.stop();
+    return Result{end, placeHeading()};
+  };
+  while (true) {
+    m_motion.tick();
+    perceive();
+    const Time now = m_motion.devices().clock.now();
+    if (arrived()) {
+      return ends(HomingEnd::Arrived);
+    }
+    if (toSeconds(now - m_lastSeen) > m_options.lostSeconds) {
+      return ends(HomingEnd::Lost);
+    }
+    if (toSeconds(now - m_lastFree) > m_options.blockedSeconds) {
+      return ends(HomingEnd::Blocked);
+    }
+    if (toSeconds(now - begin) > m_options.timeoutSeconds) {
+      return ends(HomingEnd::TimedOut);
+    }
+    drive(wayHome(oDeparture));
+  }
+}
+
+void HomingRun::perceive()
+{
+  const Time now = m_motion.devices().clock.now();
+  if (const auto result = m_worker.deliver(now, true)) {
+    if (*result && (*result)->confidence >= m_options.minConfidence) {
+      take(**result, m_pictureAt);
+      m_lastSeen = now;
+    }
+  }
+  if (!m_worker.busy() && now >= m_nextPicture) {
+    const std::optional<Frame> frame = m_motion.devices().camera.grab();
+    if (!frame) {
+      throw DeviceError("the camera has no more pictures; the robot cannot home without");
+    }
+    m_pictureAt = m_motion.pose();
+    m_nextPicture = now + fromSeconds(m_options.visionPeriod);
+    m_worker.request(now, [look = m_look, image = frame->image] { return look(image); });
+  }
+}
+
+void HomingRun::take(const HomeVector &home, const Pose2 &oMr)
+{
+  // Near the place the home vector is what tells whether it was passed: it then points backwards.
+  const bool near = home.distanceProxy < m_options.nearProxy;
+  const bool behind = std::abs(wrapAngle(home.direction)) > radians(100.0);
+  const bool passed = near && behind && !m_seen.empty() &&
+                      m_seen.back().home.distanceProxy < 1.5 * m_options.nearProxy &&
+                      std::abs(wrapAngle(m_seen.back().home.direction)) < radians(80.0);
+  if (home.distanceProxy < m_options.arrivedProxy) {
+    ++m_arrivals;
+  }
+  else {
+    m_arrivals = passed ? 2 : 0;
+  }
+  m_seen.push_back({home, oMr});
+  if (m_seen.size() > kRecent) {
+    m_seen.erase(m_seen.begin());
+  }
+}
+
+bool HomingRun::arrived() const
+{
+  return m_arrivals >= 2;
+}
+
+double HomingRun::placeHeading() const
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Seen &seen : m_seen) {
+    sum += seen.home.confidence * unit(seen.oMr.heading - seen.home.headingChange);
+  }
+  return sum.isZero() ? m_motion.pose().heading : std::atan2(sum.y(), sum.x());
+}
+
+Eigen::Vector2d HomingRun::wayHome(std::optional<double> oDeparture) const
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double weight = 1.0;
+  for (auto seen = m_seen.rbegin(); seen != m_seen.rend(); ++seen) {
+    sum += weight * seen->home.confidence * unit(seen->oMr.heading + seen->home.direction);
+    weight *= 0.6;
+  }
+  if (oDeparture) {
+    constexpr double kDepartureWeight = 0.5;
+    const double driven = m_motion.travelled() - m_startTravelled;
+    const double left = std::max(0.0, 1.0 - driven / m_options.departureDistance);
+    sum += kDepartureWeight * left * unit(*oDeparture);
+  }
+  return sum;
+}
+
+void HomingRun::drive(const Eigen::Vector2d &oWay)
+{
+  const Time now = m_motion.devices().clock.now();
+  const bool old = toSeconds(now - m_lastSeen) > m_options.commandSeconds;
+  if (m_seen.empty() || old || oWay.norm() < 1e-3) {
+    m_motion.devices().base.drive({});
+    if (!old) {
+      m_lastFree = now;
+    }
+    return;
+  }
+  HomeVector home = m_seen.back().home;
+  home.direction = wrapAngle(std::atan2(oWay.y(), oWay.x()) - m_motion.pose().heading);
+  const Twist2 twist = m_servo.approach(home);
+  if (m_motion.follow(twist, home.direction) != LocalDrive::State::Blocked) {
+    m_lastFree = now;
+  }
+}
+
+} // namespace homeward

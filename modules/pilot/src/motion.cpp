@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/pilot/motion.h>
+
+#include <homeward/core/error.h>
+#include <homeward/laser/clearance.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace homeward
+{
+namespace
+{
+
+Footprint footprintOf(const RobotDescription &robot)
+{
+  const BodyPart around = robot.footprint();
+  return {around.xMin, around.xMax, around.yMin, around.yMax};
+}
+
+Pose2 planar(const Eigen::Isometry3d &aMb)
+{
+  const Eigen::Matrix3d aRb = aMb.linear();
+  return {aMb.translation().x(), aMb.translation().y(), std::atan2(aRb(1, 0), aRb(0, 0))};
+}
+
+LocalDrive::Options driveOptions(const MotionOptions &options)
+{
+  LocalDrive::Options drive;
+  drive.maxSpeed = options.maxSpeed;
+  drive.maxTurnRate = options.maxTurnRate;
+  drive.margin = options.margin;
+  return drive;
+}
+
+} // namespace
+
+Motion::Motion(const Devices &devices, const RobotDescription &robot, const MotionOptions &options,
+               const std::atomic<bool> &stop)
+    : m_devices(devices), m_options(options), m_stop(stop), m_footprint(footprintOf(robot)),
+      m_rMl(planar(robot.rMl)), m_safety(driveOptions(options).safety),
+      m_localDrive(m_footprint, driveOptions(options)),
+      m_memory(options.memory), m_nextTick(devices.clock.now())
+{}
+
+Motion::~Motion()
+{
+  try {
+    m_devices.base.drive({});
+  }
+  catch (const std::exception &gone) {
+    std::fprintf(stderr, "the base does not take the stop: %s\n", gone.what());
+  }
+}
+
+void Motion::look()
+{
+  m_nextTick = std::max(m_nextTick + fromSeconds(m_options.tickSeconds), m_devices.clock.now());
+  m_devices.clock.sleepUntil(m_nextTick);
+  const Pose2 before = m_sight.base.odometry;
+  m_sight.base = m_devices.base.state();
+  m_sight.scan = m_devices.laser.scan();
+  const Time now = m_devices.clock.now();
+  const Duration stale = fromSeconds(m_options.staleSeconds);
+  if (now - m_sight.base.stamp > stale) {
+    throw DeviceError("the base has been silent for " +
+                      std::to_string(toSeconds(now - m_sight.base.stamp)) + " s; check its link");
+  }
+  if (!m_sight.scan || now - m_sight.scan->stamp > stale) {
+    throw DeviceError("the laser has been silent for more than " +
+                      std::to_string(m_options.staleSeconds) + " s; check its link");
+  }
+  if (m_looked) {
+    m_travelled += (pose().translation() - before.translation()).norm();
+  }
+  m_looked = true;
+  m_memory.update(*m_sight.scan, m_rMl, pose());
+  m_memory.update(m_sight.base.sonar, pose(), now);
+  m_sight.points = m_memory.points(pose());
+}
+
+const Motion::Sight &Motion::tick()
+{
+  try {
+    if (m_stop) {
+      stop();
+      throw StopRequested{};
+    }
+    look();
+    if (m_sight.base.stalled) {
+      backOff();
+    }
+  }
+  catch (const RuntimeError &) {
+    m_devices.base.drive({});
+    throw;
+  }
+  return m_sight;
+}
+
+void Motion::backOff()
+{
+  // What holds the robot is unseen: believe in a wall across its middle, where the mast stands, and
+  // leave it by the way that brought the robot here.
+  constexpr double kSpeed = 0.15;
+  constexpr int kTicks = 40;
+  const double ahead = m_footprint.xMax;
+  for (double y = -0.15; y <= 0.151; y += 0.05) {
+    m_memory.addContact(pose() * Eigen::Vector2d(ahead + 0.02, y), m_devices.clock.now());
+  }
+  const Pose2 start = pose();
+  for (int i = 0; i < kTicks; ++i) {
+    m_devices.base.drive({-kSpeed, 0.0});
+    look();
+    const double back = (pose().translation() - start.translation()).norm();
+    const bool held = i > 5 && m_sight.base.stalled;
+    if (back > m_options.retreat || held || m_stop) {
+      break;
+    }
+  }
+  stop();
+}
+
+void Motion::stop()
+{
+  constexpr int kTicks = 20;
+  for (int i = 0; i < kTicks; ++i) {
+    m_devices.base.drive({});
+    look();
+    if (std::abs(m_sight.base.velocity.v) < 0.01 && std::abs(m_sight.base.velocity.w) < 0.02) {
+      return;
+    }
+  }
+}
+
+LocalDrive::State Motion::steer(double bearing, double speed)
+{
+  const LocalDrive::Decision decision = m_localDrive.choose(m_sight.points, bearing, speed);
+  m_devices.base.drive(decision.twist);
+  return decision.state;
+}
+
+LocalDrive::State Motion::follow(const Twist2 &twist, double bearing)
+{
+  if (twist.v > 0.01) {
+    const Twist2 safe = avoid(m_sight.points, m_footprint, twist, m_safety);
+    if (safe.v > 0.3 * twist.v && clearance(m_sight.points, m_footprint) > m_options.margin) {
+      m_devices.base.drive(safe);
+      return LocalDrive::State::Free;
+    }
+  }
+  return steer(bearing, std::max(twist.v, 0.15));
+}
+
+bool Motion::turnIsFree(double angle) const
+{
+  constexpr double kSlack = 0.05;
+  const double travel =
+      freeTravel(m_sight.points, m_footprint, {0.0, angle > 0.0 ? 1.0 : -1.0}, std::abs(angle));
+  return travel > std::abs(angle) - kSlack;
+}
+
+bool Motion::turnTo(double oHeading)
+{
+  constexpr double kClose = 0.03;
+  constexpr int kTicks = 250;
+  int direction = 0;
+  for (int i = 0; i < kTicks; ++i) {
+    const double error = wrapAngle(oHeading - pose().heading);
+    if (std::abs(error) < kClose) {
+      stop();
+      return true;
+    }
+    double way = error;
+    if (std::abs(error) > radians(20.0)) {
+      const double longWay = error > 0.0 ? error - 2.0 * kPi : error + 2.0 * kPi;
+      if (direction == 0 && !turnIsFree(error)) {
+        direction = turnIsFree(longWay) ? (longWay > 0.0 ? 1 : -1) : 0;
+        if (direction == 0) {
+          stop();
+          return false;
+        }
+      }
+      way = direction != 0 && direction * error < 0.0 ? longWay : error;
+    }
+    const double rate = std::clamp(1.5 * std::abs(way), 0.08, m_options.maxTurnRate);
+    m_devices.base.drive(
+        avoid(m_sight.points, m_footprint, {0.0, std::copysign(rate, way)}, m_safety));
+    tick();
+  }
+  stop();
+  return false;
+}
+
+} // namespace homeward

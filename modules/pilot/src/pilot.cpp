@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/pilot/pilot.h>
+
+#include <homeward/core/error.h>
+#include <homeward/laser/half_scans.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace homeward
+{
+
+Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
+             const PilotOptions &options, const std::atomic<bool> &stop)
+    : m_options(options), m_robot(robot), m_motion(devices, robot, options.motion, stop),
+      m_unwarper(camera, options.panorama), m_places(options.places),
+      m_homing(makeHomingMethod(options.homingMethod))
+{}
+
+Report Pilot::execute(const Command &command)
+{
+  try {
+    return std::visit([this](const auto &what) { return run(what); }, command);
+  }
+  catch (const StopRequested &) {
+    return Interrupted{};
+  }
+}
+
+Panorama Pilot::look()
+{
+  const std::optional<Frame> frame = m_motion.devices().camera.grab();
+  if (!frame) {
+    throw DeviceError("the camera has no more pictures");
+  }
+  Panorama panorama = m_unwarper.unwarp(frame->image);
+  if (panorama.image.channels() == 3) {
+    cv::cvtColor(panorama.image, panorama.image, cv::COLOR_BGR2GRAY);
+  }
+  return panorama;
+}
+
+Chord Pilot::chordTo(const Pose2 &oMplace) const
+{
+  const Pose2 there = m_oMplace.inverse() * oMplace;
+  const Pose2 back = oMplace.inverse() * m_oMplace;
+  return {there.translation().norm(), m_motion.travelled() - m_leftAt, std::atan2(there.y, there.x),
+          std::atan2(back.y, back.x)};
+}
+
+void Pilot::standAt(const Pose2 &oMplace)
+{
+  m_oMplace = oMplace;
+  m_leftAt = m_motion.travelled();
+}
+
+Report Pilot::run(const Survey &)
+{
+  m_motion.stop();
+  m_view = look();
+  if (onView) {
+    onView();
+  }
+  const Pose2 oMr = m_motion.pose();
+  Surveyed report;
+  report.chord = chordTo(oMr);
+  report.directions = findOpenDirections(scanAllRound(oMr), m_options.directions);
+  standAt(oMr);
+  return report;
+}
+
+Scan Pilot::scanAllRound(const Pose2 &oMr)
+{
+  const Scan front = *m_motion.tick().scan;
+  const Pose2 oMfront = m_motion.pose();
+  std::vector<PlacedScan> scans{{front, oMr.inverse() * oMfront}};
+  const double seen = front.angleStep * static_cast<double>(front.ranges.size());
+  if (seen < 2.0 * kPi - 2.0 * front.angleStep) {
+    m_motion.turnTo(wrapAngle(oMr.heading + kPi));
+    const Scan back = *m_motion.tick().scan;
+    scans.push_back({back, oMr.inverse() * m_motion.pose()});
+  }
+  return joinScans(scans, m_robot.rMl);
+}
+
+Report Pilot::run(const DriveDirection &command)
+{
+  constexpr double kPatience = 5.0;
+  constexpr double kBlockedSeconds = 1.5;
+  const double oBearing = wrapAngle(m_oMplace.heading + command.bearing);
+  m_motion.turnTo(oBearing);
+  const Pose2 start = m_motion.pose();
+  const Eigen::Vector2d oAhead(std::cos(oBearing), std::sin(oBearing));
+  const Eigen::Vector2d oGoal = start.translation() + command.distance * oAhead;
+  double best = command.distance;
+  Time bestAt = m_motion.devices().clock.now();
+  Time free = bestAt;
+  Driven report;
+  while (true) {
+    m_motion.tick();
+    const Time now = m_motion.devices().clock.now();
+    const Eigen::Vector2d oLeft = oGoal - m_motion.pose().translation();
+    const double left = oLeft.norm();
+    if (left < 0.1 || oLeft.dot(oAhead) < 0.0) {
+      break;
+    }
+    if (left < best - 0.05) {
+      best = left;
+      bestAt = now;
+    }
+    if (toSeconds(now - bestAt) > kPatience || toSeconds(now - free) > kBlockedSeconds) {
+      report.blocked = true;
+      break;
+    }
+    const double bearing = wrapAngle(std::atan2(oLeft.y(), oLeft.x()) - m_motion.pose().heading);
+    const double speed = std::clamp(left, 0.1, m_options.motion.maxSpeed);
+    if (m_motion.steer(bearing, speed) != LocalDrive::State::Blocked) {
+      free = now;
+    }
+  }
+  m_motion.stop();
+  report.chord = chordTo(m_motion.pose());
+  return report;
+}
+
+Report Pilot::run(const Recognise &)
+{
+  m_motion.stop();
+  Recognised report{m_places.recognise(look())};
+  if (trace) {
+    std::string line = "recognise";
+    for (std::size_t i = 0; i < std::min<std::size_t>(report.matches.size(), 3); ++i) {
+      const PlaceMatch &match = report.matches[i];
+      char text[80];
+      std::snprintf(text, sizeof text, "  %lld: p %.2f%s, %.0f",
+                    static_cast<long long>(match.node.value), match.probability,
+                    match.verified ? " verified" : "", match.dissimilarity);
+      line += text;
+    }
+    trace(line);
+  }
+  return report;
+}
+
+Report Pilot::run(const HomeTo &command)
+{
+  const Panorama &snapshot = m_places.snapshot(command.node);
+  HomingServo servo(m_robot.rMp, {});
+  HomingRun homing(m_motion, servo, m_options.homing,
+                   [this, &snapshot](const cv::Mat &picture) -> std::optional<HomeVector> {
+                     Panorama current = m_unwarper.unwarp(picture);
+                     if (current.image.channels() == 3) {
+                       cv::cvtColor(current.image, current.image, cv::COLOR_BGR2GRAY);
+                     }
+                     return m_homing->compute(current, snapshot);
+                   });
+  std::optional<double> oDeparture;
+  if (command.departure) {
+    oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
+  }
+  const HomingRun::Result result = homing.run(oDeparture);
+  const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
+  const Homed report{result.end, chordTo(oMplace)};
+  if (result.end == HomingEnd::Arrived) {
+    standAt(oMplace);
+  }
+  return report;
+}
+
+Report Pilot::run(const Finish &)
+{
+  m_motion.stop();
+  return Interrupted{};
+}
+
+} // namespace homeward

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/pilot/place_memory.h>
+
+#include <homeward/core/error.h>
+
+#include <algorithm>
+#include <string>
+
+namespace homeward
+{
+
+Verification WarpingVerifier::verify(const Panorama &current, const Panorama &stored)
+{
+  return verify(prepare(current), prepare(stored));
+}
+
+Verification WarpingVerifier::verify(const ColumnFeatures &current,
+                                     const ColumnFeatures &stored) const
+{
+  const auto match = m_warping.match(current, stored);
+  if (!match) {
+    return {};
+  }
+  const double span = m_options.otherMatch - m_options.sameMatch;
+  const double likeness =
+      std::clamp((m_options.otherMatch - match->matchDistance) / span, 0.0, 1.0);
+  Verification verification;
+  verification.probability = likeness * std::clamp(match->home.confidence * 2.0, 0.0, 1.0);
+  verification.verified = match->matchDistance <= m_options.sameMatch &&
+                          match->home.distanceProxy <= m_options.sameDistance &&
+                          match->home.confidence >= m_options.minConfidence;
+  return verification;
+}
+
+PlaceMemory::PlaceMemory(const Options &options) : m_options(options), m_verifier(options.verifier), m_index(SignatureKind::Jeffrey)
+{}
+
+void PlaceMemory::add(NodeId node, const Panorama &panorama)
+{
+  if (knows(node)) {
+    throw LogicError("place " + std::to_string(node.value) + " is known already");
+  }
+  m_index.add(node, makeSignature(panorama, m_index.kind()));
+  m_places.emplace(node, Place{panorama, m_verifier.prepare(panorama)});
+}
+
+const Panorama &PlaceMemory::snapshot(NodeId node) const
+{
+  const auto place = m_places.find(node);
+  if (place == m_places.end()) {
+    throw LogicError("no place " + std::to_string(node.value) + " is known by sight");
+  }
+  return place->second.panorama;
+}
+
+std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current) const
+{
+  const Signature signature = makeSignature(current, m_index.kind());
+  const ColumnFeatures features = m_verifier.prepare(current);
+  std::vector<PlaceMatch> matches;
+  for (const Match &candidate : m_index.nearest(signature, m_options.candidates)) {
+    PlaceMatch match{candidate.node, 0.0, false, candidate.dissimilarity * kReferencePixels};
+    if (m_options.verify) {
+      const Verification same = m_verifier.verify(features, m_places.at(candidate.node).features);
+      match.probability = same.probability;
+      match.verified = same.verified;
+    }
+    else if (matches.empty() && match.dissimilarity < m_options.histogramThreshold) {
+      match.probability = 1.0;
+      match.verified = true;
+    }
+    matches.push_back(match);
+  }
+  std::stable_sort(matches.begin(), matches.end(), [](const PlaceMatch &a, const PlaceMatch &b) {
+    return std::make_pair(a.verified, a.probability) > std::make_pair(b.verified, b.probability);
+  });
+  return matches;
+}
+
+} // namespace homeward
