@@ -18,9 +18,13 @@ def make():
     world = World("corridors", (8.0, 11.7))
     building = Building("corridors_building", HEIGHT)
     outer, inner = _walls(building)
-    building.floor(0, 0, 16, 14, building.picture("corridors_floor", 1024, 896, look.lino, (140, 128, 110), 38))
+    building.floor(0, 0, 16, 14, building.picture("corridors_floor", 1024, 896, look.lino,
+                                              (140, 128, 110), 38))
     building.ceiling(0, 0, 16, 14, building.picture("corridors_ceiling", 768, 672, look.ceiling,
                                                     (206, 206, 202), 29))
+    for x in (2, 6, 10):  # the closed offices
+        for y in (2, 6):
+            building.solid((x, y, 0), (x + 4, y + 4, HEIGHT))
     building.slab(-0.1, -0.1, 16.1, 14.1)
     for i, (x, y) in enumerate(LAMPS):
         along = y in (1, 11)
@@ -37,7 +41,8 @@ def _walls(b):
     skins = []
     for i, (a, c) in enumerate(zip(OUTER, OUTER[1:] + OUTER[:1])):
         length = abs(a[0] - c[0]) + abs(a[1] - c[1])
-        skins.append(b.paint("corridors_outer_%d" % i, length, painted, PAINT, 0.88, 1.05, True, (70, 84, 96)))
+        skins.append(b.paint("corridors_outer_%d" % i, length, painted, PAINT, 0.88, 1.05, True,
+                             (70, 84, 96)))
     outer = b.run(OUTER, skins)
     skins = [b.paint("corridors_inner_%d" % i, length, painted, PAINT, 0.88, 1.05, False, (70, 84, 96))
              for i, length in enumerate((12, 8, 12, 8))]
@@ -69,7 +74,7 @@ def _pictures(b, outer, inner):
     b.gallery(outer[5], ((3.1, 1.2, 0.7, 1.0), (8.3, 1.1, 0.9, 1.2)))
     b.gallery(outer[6], ((5.8, 1.2, 0.7, 1.0), (11.5, 1.0, 1.1, 1.3)))
     b.gallery(outer[7], ((3.5, 1.1, 0.7, 1.0), (8.7, 1.2, 0.6, 0.9)))
-    b.gallery(inner[0], ((5.3, 1.1, 0.8, 1.1), (8.3, 1.3, 0.9, 0.7)))
+    b.gallery(inner[0], ((8.3, 1.3, 0.9, 0.7),))
     b.gallery(inner[1], ((2.9, 1.2, 0.7, 1.0),))
     b.gallery(inner[2], ((2.8, 1.2, 0.7, 1.0), (5.7, 1.1, 1.0, 1.3), (8.8, 1.3, 0.6, 0.8)))
     b.gallery(inner[3], ((5.2, 1.2, 0.8, 1.1),))
@@ -89,6 +94,6 @@ def _furniture(world, outer, inner):
     world.against(outer[7], 0.8, f.file_cabinet("corridor_files", colour=(96, 112, 120)))
     world.against(outer[6], 14.9, f.cupboard("corridor_cupboard", 1.0, 1.8, 0.4, (150, 120, 90)))
     world.against(outer[4], 5.6, f.bench("corridor_bench"))
-    world.against(inner[0], 5.3, f.notice_board("corridor_notices"))
+    world.against(inner[0], 5.3, f.notice_board("corridor_notices", 1.4))
     world.against(outer[5], 8.3, f.appliance("corridor_vending", 0.9, 0.5, 1.8, (50, 60, 130), look.goods))
     world.add(f.bin_("corridor_bin", (70, 80, 70)), 0.35, 11.6)

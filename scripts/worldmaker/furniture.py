@@ -53,7 +53,8 @@ def _top_things(model, width, depth, z, screens):
                 model.box((x - s, depth * 0.2, z), (x + s, depth * 0.2 + 0.25, z + s * 1.5), skin)
             else:
                 skin = model.swatch(0.2, 0.42, look.drawers, rng.pick((look.WHITE, look.DARK)), 3)
-                model.box((x - 0.1, depth * 0.15, z), (x + 0.1, depth * 0.15 + 0.42, z + 0.42), BLACK, py=skin)
+                model.box((x - 0.1, depth * 0.15, z), (x + 0.1, depth * 0.15 + 0.42, z + 0.42), BLACK,
+                          py=skin)
         if rng.chance(0.7):
             _mug(model, x + rng.uniform(0.12, 0.2), depth * rng.uniform(0.6, 0.85), z)
 

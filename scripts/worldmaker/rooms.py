@@ -15,7 +15,8 @@ ROOMS = {  # x0, y0, x1, y1, paint, floor, tile of the floor in pixels
     "kitchen": (7.68, 2.32, 11.4, 6.82, (196, 206, 190), (176, 170, 156), 32),
     "workshop": (0, -4.62, 3.72, -0.12, (170, 168, 164), (104, 102, 98), 96),
     "parlour": (7.68, -4.62, 11.4, -0.12, (186, 130, 100), (120, 84, 56), 12)}
-DOORWAYS = [(0.85, 2.2, 1.95, 2.32, LINTEL), (5.15, 2.2, 6.25, 2.32, LINTEL), (9.35, 2.2, 10.45, 2.32, LINTEL),
+DOORWAYS = [(0.85, 2.2, 1.95, 2.32, LINTEL), (5.15, 2.2, 6.25, 2.32, LINTEL), 
+            (9.35, 2.2, 10.45, 2.32, LINTEL),
             (2.15, -0.12, 3.25, 0, LINTEL), (8.15, -0.12, 9.25, 0, LINTEL),
             (3.72, 4.95, 3.84, 6.05, LINTEL), (3.72, -3.45, 3.84, -2.35, LINTEL)]
 PIXELS = 80  # a metre of floor
@@ -52,7 +53,8 @@ def _run(b, name, corners, paint):
 def _ground(b, name, x0, y0, x1, y1, colour, tile):
     size = round((x1 - x0) * PIXELS), round((y1 - y0) * PIXELS)
     b.floor(x0, y0, x1, y1, b.picture(name + "_floor", *size, look.lino, colour, tile))
-    top = b.picture(name + "_ceiling", size[0] // 2, size[1] // 2, look.plaster, (212, 210, 204), 0.85, 1.0, None)
+    top = b.picture(name + "_ceiling", size[0] // 2, size[1] // 2, look.plaster,
+                    (212, 210, 204), 0.85, 1.0, None)
     b.ceiling(x0, y0, x1, y1, top)
 
 
@@ -93,13 +95,14 @@ def _bedroom(world, b, walls):
 def _office(world, b, walls):
     north, east, south, west = walls
     world.against(north, 2.0, f.desk("office_desk", colour=look.BEECH, screens=(0, 1)))
-    x, y, _ = north.at(2.0, 0, 0.74)
+    x, y, _ = north.at(2.0, 0, 0.6)
     world.add(f.swivel_chair("office_chair", (120, 60, 30)), x, y, north.yaw() - 7)
     for i, s in enumerate((1.4, 2.35, 3.3)):
-        world.against(east, s, f.bookshelf("office_shelf_%d" % i, colour=(look.OAK, look.PINE, look.WALNUT)[i],
-                                           height=(2.0, 2.1, 1.7)[i]))
+        world.against(east, s, f.bookshelf("office_shelf_%d" % i, height=(2.0, 2.1, 1.7)[i],
+                                           colour=(look.OAK, look.PINE, look.WALNUT)[i]))
     world.against(south, 3.2, f.file_cabinet("office_files", colour=(120, 110, 90)))
-    world.against(west, 0.9, f.appliance("office_printer", 0.6, 0.5, 0.95, (190, 190, 186), look.drawers, look.WHITE, 3))
+    world.against(west, 0.9, f.appliance("office_printer", 0.6, 0.5, 0.95, (190, 190, 186), look.drawers,
+                                         look.WHITE, 3))
     b.hang(north, 2.0, 1.3, 1.7, 1.0, b.swatch(1.7, 1.0, look.papers), 0.02)
     b.gallery(west, ((0.8, 1.2, 0.7, 1.0), (4.1, 1.2, 0.7, 1.0)))
     b.gallery(south, ((0.5, 1.3, 0.6, 0.8), (2.9, 1.45, 0.7, 0.7)))

@@ -79,7 +79,8 @@ def _collada(picture):
             + _source("uvs", ((0, 0), (1, 0), (1, 1), (0, 1)), "ST")
             + """<vertices id="vertices"><input semantic="POSITION" source="#places"/></vertices>
 <triangles material="carton" count="%d">
-<input semantic="VERTEX" source="#vertices" offset="0"/><input semantic="NORMAL" source="#normals" offset="1"/>
+<input semantic="VERTEX" source="#vertices" offset="0"/>
+<input semantic="NORMAL" source="#normals" offset="1"/>
 <input semantic="TEXCOORD" source="#uvs" offset="2" set="0"/><p>%s</p></triangles>
 </mesh></geometry></library_geometries>
 <library_visual_scenes><visual_scene id="scene"><node id="node"><instance_geometry url="#box">
@@ -94,15 +95,20 @@ def _collada(picture):
 
 def _world():
     parts = []
+    ground = "<geometry><plane><normal>0 0 1</normal><size>8 8</size></plane></geometry>"
     for i, (x, y, wide, deep) in enumerate(WALLS):
         shape = "<geometry><box><size>%g %g 2.5</size></box></geometry>" % (wide, deep)
         tone = "%g %g %g 1" % (0.55 + 0.1 * i, 0.7 - 0.1 * i, 0.5 + 0.05 * i)
-        parts.append('      <link name="wall_%d"><pose>%g %g 1.25 0 0 0</pose>\n        <visual name="visual">%s'
-                     "<material><ambient>%s</ambient><diffuse>%s</diffuse></material></visual>\n"
-                     '        <collision name="collision">%s</collision></link>\n' % (i, x, y, shape, tone, tone, shape))
-    places = list(zip(("sample_crate", "sample_crate", "sample_box"), CRATES)) + [("sample_broken", (-2.2, 1.7, 0.0))]
-    includes = "".join('    <include><name>%s_%d</name><uri>model://%s</uri><pose>%g %g 0 0 0 %g</pose></include>\n'
-                       % (name, i, name, x, y, yaw) for i, (name, (x, y, yaw)) in enumerate(places))
+        parts.append('      <link name="wall_%d"><pose>%g %g 1.25 0 0 0</pose>\n'
+                     '        <visual name="visual">%s<material><ambient>%s</ambient>'
+                     "<diffuse>%s</diffuse></material></visual>\n"
+                     '        <collision name="collision">%s</collision></link>\n'
+                     % (i, x, y, shape, tone, tone, shape))
+    places = list(zip(("sample_crate", "sample_crate", "sample_box"), CRATES))
+    places.append(("sample_broken", (-2.2, 1.7, 0.0)))
+    includes = "".join('    <include><name>%s_%d</name><uri>model://%s</uri>'
+                       "<pose>%g %g 0 0 0 %g</pose></include>\n" % (name, i, name, x, y, yaw)
+                       for i, (name, (x, y, yaw)) in enumerate(places))
     return ('<?xml version="1.0"?>\n%s<!-- A room of 6 x 5 m. sample_box names a picture that is not there; '
             "sample_broken has a mesh that no reader takes. -->\n"
             '<sdf version="1.6">\n  <world name="sample">\n'
@@ -111,12 +117,11 @@ def _world():
             "<attenuation><range>10</range><constant>0.3</constant><linear>0.05</linear>"
             "<quadratic>0.1</quadratic></attenuation></light>\n"
             '    <model name="ground">\n      <static>true</static>\n      <link name="link">\n'
-            '        <visual name="visual"><geometry><plane><normal>0 0 1</normal><size>8 8</size></plane></geometry>'
-            "<material><diffuse>0.45 0.43 0.4 1</diffuse></material></visual>\n"
-            '        <collision name="collision"><geometry><plane><normal>0 0 1</normal><size>8 8</size></plane>'
-            "</geometry></collision>\n      </link>\n    </model>\n"
+            '        <visual name="visual">%s<material><diffuse>0.45 0.43 0.4 1</diffuse></material>'
+            "</visual>\n"
+            '        <collision name="collision">%s</collision>\n      </link>\n    </model>\n'
             '    <model name="walls">\n      <static>true</static>\n%s    </model>\n%s  </world>\n</sdf>\n'
-            % (LICENCE, "".join(parts), includes))
+            % (LICENCE, ground, ground, "".join(parts), includes))
 
 
 def _segments():
@@ -125,7 +130,7 @@ def _segments():
     segments = list(zip(outline, outline[1:] + outline[:1]))
     for x, y, yaw in CRATES:
         c, s = 0.3 * math.cos(yaw), 0.3 * math.sin(yaw)
-        corners = [(x + a * c - b * s, y + a * s + b * c) for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+        corners = [(x + a * c - b * s, y + a * s + b * c) for a, b, _ in CORNERS[:4]]
         segments += list(zip(corners, corners[1:] + corners[:1]))
     return segments
 
@@ -146,7 +151,8 @@ def _range(x, y, angle, segments):
 def _log():
     """A drive round the sample room: 20 scans of 180 readings, one a degree from -89.5 to 89.5."""
     rng, segments = Rng("sample_log"), _segments()
-    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later", "# A simulated drive, made by scripts/make-worlds.",
+    lines = ["# SPDX-License-Identifier: GPL-3.0-or-later",
+             "# A simulated drive, made by scripts/make-worlds.",
              "PARAM robot_frontlaser_offset 0.0 nohost 0"]
     for i in range(20):
         angle, time = 2 * math.pi * i / 20, 0.5 * i
@@ -154,7 +160,7 @@ def _log():
         heading = math.atan2(math.sin(heading), math.cos(heading))
         drift = 0.002 * i
         pose = "%.4f %.4f %.4f" % (x + drift, y - drift, heading)
-        ranges = [max(0.0, _range(x, y, heading + math.radians(k - 89.5), segments) + rng.uniform(-0.01, 0.01))
+        ranges = [_range(x, y, heading + math.radians(k - 89.5), segments) + rng.uniform(-0.01, 0.01)
                   for k in range(180)]
         lines.append("ODOM %s 0.30 0.31 0.0 %.3f sim %.3f" % (pose, time, time))
         lines.append("FLASER 180 %s %.4f %.4f %.4f %s %.3f sim %.3f"

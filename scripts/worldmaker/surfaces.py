@@ -7,6 +7,7 @@ OAK, BEECH, WALNUT, PINE = (176, 130, 82), (205, 165, 115), (98, 66, 44), (222, 
 STEEL, DARK, WHITE = (120, 124, 130), (38, 40, 44), (235, 235, 230)
 WORDS = ("ROBOT MAP VISION HOME LOOP PATH SCAN LASER MIRROR NODE EDGE COMPASS SIFT WARP SNAPSHOT ANT "
          "BEE FIELD SPACE LIGHT CAMERA SERVO DRIVE GRAPH PLACE SEARCH ROUTE MOTION").split()
+NOTES = (WHITE, (240, 225, 130), (200, 225, 240), (235, 190, 190))
 BRIGHT = ((200, 40, 40), (40, 90, 180), (235, 190, 40), (50, 140, 70), (230, 120, 40), (120, 60, 140),
           (30, 150, 160), (170, 120, 60), (40, 40, 45))
 
@@ -123,7 +124,8 @@ def poster(view, rng):
         _paper(view, rng)
     if kind < 2:
         view.rect(0, view.height * 0.86, view.width, view.height, rng.pick((DARK, WHITE)))
-        view.label(4, view.height * 0.88, view.width - 8, view.height * 0.1, rng.pick(WORDS), rng.pick(BRIGHT[:5]))
+        view.label(4, view.height * 0.88, view.width - 8, view.height * 0.1, rng.pick(WORDS),
+                   rng.pick(BRIGHT[:5]))
     view.frame(0, 0, view.width, view.height, rng.pick((DARK, WHITE, OAK, STEEL)), 2)
 
 
@@ -134,7 +136,7 @@ def papers(view, rng, board=(170, 125, 80)):
     for _ in range(view.width * view.height // 900):
         w, h = rng.integer(14, 34), rng.integer(14, 40)
         x, y = rng.integer(2, max(3, view.width - w)), rng.integer(2, max(3, view.height - h))
-        view.rect(x, y, x + w, y + h, rng.pick((WHITE, (240, 225, 130), (200, 225, 240), (235, 190, 190))))
+        view.rect(x, y, x + w, y + h, rng.pick(NOTES))
         if rng.chance(0.3):
             _plot(view.view(x + 2, y + 2, w - 4, h - 4), rng)
         else:
@@ -324,7 +326,8 @@ def plaster(view, rng, colour, low=0.86, high=1.06, skirting=(90, 80, 72)):
         view.ellipse(x, y, rng.uniform(3, 16), rng.uniform(2, 9), scaled(colour, rng.uniform(0.86, 1.05)))
     for _ in range(view.width // 30):
         x, y = rng.integer(0, view.width), rng.integer(view.height // 2, view.height)
-        view.line(x, y, x + rng.integer(-20, 20), y + rng.integer(-3, 3), scaled(colour, rng.uniform(0.6, 0.85)))
+        view.line(x, y, x + rng.integer(-20, 20), y + rng.integer(-3, 3),
+                  scaled(colour, rng.uniform(0.6, 0.85)))
     view.shade(Noise(rng, view.width, view.height, 90, 3), low, high, 7)
     if skirting:
         view.rect(0, view.height - 8, view.width, view.height, skirting)
