@@ -187,7 +187,7 @@ Lighting lightingFor(LightPreset preset, const Scene &scene)
     lighting.sky = {0.055F, 0.075F, 0.12F};
     lighting.ground = {0.022F, 0.028F, 0.04F};
     lighting.background *= 0.12F;
-    lighting.exposureMax = 0.9F;
+    lighting.exposureMax = 1.2F;
     break;
   case LightPreset::Night:
     lighting.lights = someOf(allLamps(scene), 1, 3, 0.12F, {1.0F, 0.68F, 0.38F});
