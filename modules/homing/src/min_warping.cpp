@@ -26,8 +26,8 @@ constexpr double kLeastTexturedShare = 0.1;
 constexpr double kLeastProxy = 0.005;
 
 /** WarpingMatch::contrast of a match beyond doubt, and of pictures of different places. */
-constexpr double kSureContrast = 0.65;
-constexpr double kBlindContrast = 0.93;
+constexpr double kSureContrast = 0.70;
+constexpr double kBlindContrast = 0.965;
 
 /** Falls from 1 at `good` to 0 at `bad`. */
 double ramp(double value, double good, double bad)

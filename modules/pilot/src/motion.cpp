@@ -39,8 +39,8 @@ Motion::Motion(const Devices &devices, const RobotDescription &robot, const Moti
                const std::atomic<bool> &stop)
     : m_devices(devices), m_options(options), m_stop(stop), m_footprint(footprintOf(robot)),
       m_rMl(planar(robot.rMl)), m_safety(driveOptions(options).safety),
-      m_localDrive(m_footprint, driveOptions(options)),
-      m_memory(options.memory), m_nextTick(devices.clock.now())
+      m_localDrive(m_footprint, driveOptions(options)), m_memory(options.memory),
+      m_nextTick(devices.clock.now())
 {}
 
 Motion::~Motion()

@@ -21,18 +21,21 @@ Verification WarpingVerifier::verify(const ColumnFeatures &current,
   if (!match) {
     return {};
   }
-  const double span = m_options.otherMatch - m_options.sameMatch;
-  const double likeness =
-      std::clamp((m_options.otherMatch - match->matchDistance) / span, 0.0, 1.0);
+  const auto share = [](double value, double same, double other) {
+    return std::clamp((other - value) / (other - same), 0.0, 1.0);
+  };
   Verification verification;
-  verification.probability = likeness * std::clamp(match->home.confidence * 2.0, 0.0, 1.0);
+  verification.probability =
+      share(match->matchDistance, m_options.sameMatch, m_options.otherMatch) *
+      share(match->contrast, m_options.sameContrast, m_options.otherContrast);
   verification.verified = match->matchDistance <= m_options.sameMatch &&
-                          match->home.distanceProxy <= m_options.sameDistance &&
-                          match->home.confidence >= m_options.minConfidence;
+                          match->contrast <= m_options.sameContrast &&
+                          match->home.distanceProxy <= m_options.sameDistance;
   return verification;
 }
 
-PlaceMemory::PlaceMemory(const Options &options) : m_options(options), m_verifier(options.verifier), m_index(SignatureKind::Jeffrey)
+PlaceMemory::PlaceMemory(const Options &options)
+    : m_options(options), m_verifier(options.verifier), m_index(SignatureKind::Jeffrey)
 {}
 
 void PlaceMemory::add(NodeId node, const Panorama &panorama)

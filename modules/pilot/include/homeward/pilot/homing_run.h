@@ -20,9 +20,9 @@ struct HomingRunOptions
   double visionPeriod = 0.4;      ///< s between pictures
   double visionLatency = 0.2;     ///< s from a picture to its home vector
   double commandSeconds = 1.5;    ///< s after which a home vector is too old to drive on
-  double arrivedProxy = 0.06;     ///< distance proxy of a place reached
-  double nearProxy = 0.14;        ///< within it, a home vector that swings round means "passed it"
-  double minConfidence = 0.12;    ///< home vectors below say nothing
+  double arrivedProxy = 0.08;     ///< distance proxy of a place reached
+  double nearProxy = 0.16;        ///< within it, a home vector that swings round means "passed it"
+  double minConfidence = 0.04;    ///< home vectors below say nothing
   double lostSeconds = 8.0;       ///< s without a home vector that says something
   double blockedSeconds = 6.0;    ///< s without a free way
   double timeoutSeconds = 75.0;   ///< s altogether

@@ -20,10 +20,11 @@ class WarpingVerifier : public PairVerifier
 public:
   struct Options
   {
-    double sameDistance = 0.35; ///< distance proxy up to which two views are one place
-    double sameMatch = 0.42;    ///< match distance up to which they show the same surroundings
-    double otherMatch = 0.62;   ///< match distance from which they surely do not
-    double minConfidence = 0.3; ///< of the home vector, for a place to be verified
+    double sameDistance = 0.45;  ///< distance proxy up to which two views are one place
+    double sameMatch = 0.53;     ///< match distance up to which they show the same surroundings
+    double otherMatch = 0.57;    ///< match distance from which they surely do not
+    double sameContrast = 0.91;  ///< contrast of the search up to which its answer is distinct
+    double otherContrast = 0.95; ///< contrast from which there is no answer
   };
 
   explicit WarpingVerifier(const Options &options) : m_options(options) {}
@@ -49,8 +50,9 @@ public:
     /** Jeffrey divergence, seed's scale, up to which a place is a candidate without verification.
      */
     double histogramThreshold = 500.0;
-    std::size_t candidates = 40; ///< places compared pair by pair, the most similar histograms first
-    bool verify = true;  ///< false: the nearest histogram below the threshold decides, as the seed
+    std::size_t candidates =
+        40;             ///< places compared pair by pair, the most similar histograms first
+    bool verify = true; ///< false: the nearest histogram below the threshold decides, as the seed
     WarpingVerifier::Options verifier;
   };
 
