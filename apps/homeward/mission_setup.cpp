@@ -38,7 +38,7 @@ MapHeader mapHeader(const SimulatedRobot &robot, const PilotOptions &options)
   header.signatureKind = std::string(name(SignatureKind::Jeffrey));
   header.signatureVersion = kSignatureVersion;
   header.thresholds = {{"histogram_threshold", options.places.histogramThreshold},
-                       {"same_distance", options.places.verifier.sameDistance},
+                       {"same_distance_m", options.places.sameDistance},
                        {"same_match", options.places.verifier.sameMatch}};
   return header;
 }

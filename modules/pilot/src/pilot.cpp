@@ -50,8 +50,19 @@ Chord Pilot::chordTo(const Pose2 &oMplace) const
           std::atan2(back.y, back.x)};
 }
 
-void Pilot::standAt(const Pose2 &oMplace)
+void Pilot::remember(NodeId node, const Panorama &panorama)
 {
+  m_places.add(node, panorama);
+  if (m_surveyed) {
+    m_place = node;
+    m_surveyed = false;
+  }
+}
+
+void Pilot::standAt(std::optional<NodeId> node, const Pose2 &oMplace)
+{
+  m_place = node;
+  m_surveyed = !node;
   m_oMplace = oMplace;
   m_leftAt = m_motion.travelled();
 }
@@ -67,7 +78,7 @@ Report Pilot::run(const Survey &)
   Surveyed report;
   report.chord = chordTo(oMr);
   report.directions = findOpenDirections(scanAllRound(oMr), m_options.directions);
-  standAt(oMr);
+  standAt(std::nullopt, oMr);
   return report;
 }
 
@@ -128,7 +139,11 @@ Report Pilot::run(const DriveDirection &command)
 Report Pilot::run(const Recognise &)
 {
   m_motion.stop();
-  Recognised report{m_places.recognise(look())};
+  std::optional<PlaceMemory::Left> left;
+  if (m_place) {
+    left = PlaceMemory::Left{*m_place, chordTo(m_motion.pose()).distance};
+  }
+  Recognised report{m_places.recognise(look(), left)};
   if (trace) {
     std::string line = "recognise";
     for (std::size_t i = 0; i < std::min<std::size_t>(report.matches.size(), 3); ++i) {
@@ -164,7 +179,7 @@ Report Pilot::run(const HomeTo &command)
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
   const Homed report{result.end, chordTo(oMplace)};
   if (result.end == HomingEnd::Arrived) {
-    standAt(oMplace);
+    standAt(command.node, oMplace);
   }
   return report;
 }

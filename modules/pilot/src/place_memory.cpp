@@ -28,10 +28,19 @@ Verification WarpingVerifier::verify(const ColumnFeatures &current,
   verification.probability =
       share(match->matchDistance, m_options.sameMatch, m_options.otherMatch) *
       share(match->contrast, m_options.sameContrast, m_options.otherContrast);
-  verification.verified = match->matchDistance <= m_options.sameMatch &&
-                          match->contrast <= m_options.sameContrast &&
-                          match->home.distanceProxy <= m_options.sameDistance;
+  verification.verified =
+      match->matchDistance <= m_options.sameMatch && match->contrast <= m_options.sameContrast;
   return verification;
+}
+
+std::optional<double> WarpingVerifier::distanceProxy(const ColumnFeatures &current,
+                                                     const ColumnFeatures &stored) const
+{
+  const auto match = m_warping.match(current, stored);
+  if (!match || match->contrast > m_options.otherContrast) {
+    return std::nullopt;
+  }
+  return match->home.distanceProxy;
 }
 
 PlaceMemory::PlaceMemory(const Options &options)
@@ -56,17 +65,38 @@ const Panorama &PlaceMemory::snapshot(NodeId node) const
   return place->second.panorama;
 }
 
-std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current) const
+double PlaceMemory::landmarkRange(const ColumnFeatures &current,
+                                  const std::optional<Left> &left) const
+{
+  constexpr double kShortest = 0.8; // metres; a shorter drive tells little
+  if (!left || left->distance < kShortest || !knows(left->node)) {
+    return m_options.landmarkRange;
+  }
+  const auto proxy = m_verifier.distanceProxy(current, m_places.at(left->node).features);
+  return proxy ? std::clamp(left->distance / *proxy, m_options.landmarkRangeMin,
+                            m_options.landmarkRangeMax)
+               : m_options.landmarkRange;
+}
+
+std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current,
+                                               const std::optional<Left> &left) const
 {
   const Signature signature = makeSignature(current, m_index.kind());
   const ColumnFeatures features = m_verifier.prepare(current);
+  const double range = m_options.verify ? landmarkRange(features, left) : 0.0;
   std::vector<PlaceMatch> matches;
   for (const Match &candidate : m_index.nearest(signature, m_options.candidates)) {
     PlaceMatch match{candidate.node, 0.0, false, candidate.dissimilarity * kReferencePixels};
     if (m_options.verify) {
-      const Verification same = m_verifier.verify(features, m_places.at(candidate.node).features);
+      const ColumnFeatures &stored = m_places.at(candidate.node).features;
+      const Verification same = m_verifier.verify(features, stored);
       match.probability = same.probability;
-      match.verified = same.verified;
+      if (same.verified) {
+        const bool justLeft = left && left->node == candidate.node;
+        const double distance =
+            justLeft ? left->distance : range * *m_verifier.distanceProxy(features, stored);
+        match.verified = distance <= m_options.sameDistance;
+      }
     }
     else if (matches.empty() && match.dissimilarity < m_options.histogramThreshold) {
       match.probability = 1.0;

@@ -47,7 +47,7 @@ public:
   const Panorama &view() const { return m_view; }
 
   /** Makes a node known by sight. @param panorama as decoded from the map file */
-  void remember(NodeId node, const Panorama &panorama) { m_places.add(node, panorama); }
+  void remember(NodeId node, const Panorama &panorama);
 
   /** Metres driven so far, by odometry. */
   double travelled() const { return m_motion.travelled(); }
@@ -70,7 +70,7 @@ private:
   Chord chordTo(const Pose2 &oMplace) const;
 
   /** The robot stands at a place whose stored heading is `oMplace.heading`. */
-  void standAt(const Pose2 &oMplace);
+  void standAt(std::optional<NodeId> node, const Pose2 &oMplace);
 
   PilotOptions m_options;
   RobotDescription m_robot;
@@ -79,8 +79,10 @@ private:
   PlaceMemory m_places;
   std::unique_ptr<HomingMethod> m_homing;
   Panorama m_view;
-  Pose2 m_oMplace;       ///< the node stood at last, heading as stored with it
-  double m_leftAt = 0.0; ///< travelled() when it was left
+  Pose2 m_oMplace;               ///< the node stood at last, heading as stored with it
+  std::optional<NodeId> m_place; ///< its id; nothing until the surveyed place has become a node
+  bool m_surveyed = false;       ///< the next node to be remembered is the place surveyed
+  double m_leftAt = 0.0;         ///< travelled() when it was left
 };
 
 } // namespace homeward

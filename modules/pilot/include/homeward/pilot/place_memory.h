@@ -9,12 +9,13 @@
 #include <homeward/place/place_index.h>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace homeward
 {
 
-/** Says by min-warping whether two panoramas show the same place, and how near. */
+/** Says by min-warping whether two panoramas show the same surroundings, and how far apart. */
 class WarpingVerifier : public PairVerifier
 {
 public:
@@ -33,6 +34,10 @@ public:
 
   /** As verify(), on prepared panoramas. */
   Verification verify(const ColumnFeatures &current, const ColumnFeatures &stored) const;
+
+  /** Distance proxy between two views of the same surroundings; nothing when they are not. */
+  std::optional<double> distanceProxy(const ColumnFeatures &current,
+                                      const ColumnFeatures &stored) const;
 
   ColumnFeatures prepare(const Panorama &panorama) const { return m_warping.prepare(panorama); }
 
@@ -53,7 +58,18 @@ public:
     std::size_t candidates =
         40;             ///< places compared pair by pair, the most similar histograms first
     bool verify = true; ///< false: the nearest histogram below the threshold decides, as the seed
+    double sameDistance = 1.25;     ///< metres up to which two views are one place
+    double landmarkRange = 2.6;    ///< metres that a distance proxy of 1 stands for, where unknown
+    double landmarkRangeMin = 1.5; ///< metres, bounds of what is learnt from a drive
+    double landmarkRangeMax = 7.0;
     WarpingVerifier::Options verifier;
+  };
+
+  /** A place that the robot has just left and how far it is by odometry, straight, metres. */
+  struct Left
+  {
+    NodeId node;
+    double distance = 0.0;
   };
 
   explicit PlaceMemory(const Options &options);
@@ -66,10 +82,19 @@ public:
   /** @throw LogicError for an unknown node */
   const Panorama &snapshot(NodeId node) const;
 
-  /** Which known places this view may show, best first. */
-  std::vector<PlaceMatch> recognise(const Panorama &current) const;
+  /**
+   * Which known places this view may show, best first.
+   *
+   * Two panoramas tell a distance only up to the range of the landmarks. The drive from the place
+   * just left tells that range, so that "the same place" means the same metres in a corridor and in
+   * a hall.
+   */
+  std::vector<PlaceMatch> recognise(const Panorama &current,
+                                    const std::optional<Left> &left = std::nullopt) const;
 
 private:
+  double landmarkRange(const ColumnFeatures &current, const std::optional<Left> &left) const;
+
   struct Place
   {
     Panorama panorama;
