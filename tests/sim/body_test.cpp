@@ -67,10 +67,23 @@ TEST(CollisionMap, eachPartTouchesOnlyAtItsOwnHeight)
   EXPECT_TRUE(map.touches({1.97, 1.5, 0.0}));
 }
 
+TEST(CollisionMap, leaningBoardIsTouchedWhereItStandsAtTheBodysHeight)
+{
+  // It rises from the floor at x = 3 to 2 m at x = 1; the mast meets it at 95 cm, at x = 2.05.
+  Scene scene = makeRoom(4.0F, 3.0F);
+  Mesh board;
+  board.vertices = {{3.0F, 0.0F, 0.0F}, {3.0F, 3.0F, 0.0F}, {1.0F, 3.0F, 2.0F}, {1.0F, 0.0F, 2.0F}};
+  board.triangles = {{0, 1, 2}, {0, 2, 3}};
+  scene.collisions.push_back(board);
+  const CollisionMap map = mapOf(std::move(scene));
+  EXPECT_FALSE(map.touches({1.96, 1.5, 0.0}));
+  EXPECT_TRUE(map.touches({2.04, 1.5, 0.0}));
+}
+
 TEST(CollisionMap, thresholdsAreFloor)
 {
   Scene low = makeRoom(4.0F, 3.0F);
-  addBox(low, {1.5F, 0.0F, 0.0F}, {1.7F, 3.0F, 0.025F});
+  addBox(low, {1.5F, 0.0F, 0.0F}, {1.7F, 3.0F, 0.04F});
   EXPECT_FALSE(mapOf(std::move(low)).touches({1.6, 1.5, 0.0}));
   Scene high = makeRoom(4.0F, 3.0F);
   addBox(high, {1.5F, 0.0F, 0.0F}, {1.7F, 3.0F, 0.1F});

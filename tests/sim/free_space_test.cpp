@@ -53,6 +53,21 @@ TEST(FreeSpace, doorOfTheBodysWidthLetsItThroughANarrowerOneDoesNot)
   EXPECT_NEAR(closed.areaAround({6.0, 2.0}), closed.area(), 0.5);
 }
 
+TEST(FreeSpace, slantingPassageIsFreeForABodyThatTurnsIntoIt)
+{
+  // Two walls at 45 degrees leave 60 cm; the body is 49 cm wide and 70 cm from corner to corner.
+  Scene scene = makeRoom(8.0F, 8.0F);
+  const Eigen::Rotation2Df turn(static_cast<float>(radians(45.0)));
+  for (const float side : {-1.0F, 1.0F}) {
+    Mesh wall = boxMesh({-2.0F, side * 0.35F - 0.05F, 0.0F}, {2.0F, side * 0.35F + 0.05F, 2.0F});
+    for (Eigen::Vector3f &vertex : wall.vertices) {
+      vertex.head<2>() = turn * vertex.head<2>() + Eigen::Vector2f(4.0F, 4.0F);
+    }
+    scene.collisions.push_back(wall);
+  }
+  EXPECT_TRUE(spaceOf(std::move(scene), {1.0, 1.0}).reachable({4.0, 4.0}));
+}
+
 TEST(FreeSpace, sightEndsAtWallsAndPassesOverTables)
 {
   Scene scene = twoRooms(1.0F);

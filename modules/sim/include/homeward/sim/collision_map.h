@@ -14,8 +14,11 @@
 namespace homeward
 {
 
-/** What lies lower is floor to the wheels: thresholds, carpets, cables. Metres. */
-inline constexpr double kDriveableHeight = 0.03;
+/**
+ * What lies lower is floor to the wheels: thresholds, carpets, cables, a floor slab that does not
+ * end exactly at z = 0. Metres; a Pioneer 3-AT climbs steps of twice that.
+ */
+inline constexpr double kDriveableHeight = 0.05;
 
 /** A place where the body touches something. */
 struct Contact
