@@ -124,9 +124,9 @@ def swivel_chair(name, colour=(40, 60, 110)):
     """On a column and a star of feet; the laser meets only the column. Seat over the origin, facing -y."""
     model = Model(name, width=128)
     skin = model.swatch(0.5, 0.5, look.fabric, colour, tiling=True)
-    model.box((-0.3, -0.035, 0.05), (0.3, 0.035, 0.09), BLACK, solid=False)
-    model.box((-0.035, -0.3, 0.05), (0.035, 0.3, 0.09), BLACK, solid=False)
-    model.solids.append(("cylinder", (0, 0, 0.07), (0.27, 0.04)))
+    model.box((-0.27, -0.035, 0.05), (0.27, 0.035, 0.09), BLACK, solid=False)
+    model.box((-0.035, -0.27, 0.05), (0.035, 0.27, 0.09), BLACK, solid=False)
+    model.solids.append(("cylinder", (0, 0, 0.07), (0.25, 0.04)))
     model.column(0, 0, 0.035, 0.035, 0.05, 0.43, CHROME, sides=8)
     model.box((-0.23, -0.22, 0.43), (0.23, 0.22, 0.50), skin)
     model.box((-0.03, 0.2, 0.45), (0.03, 0.24, 0.65), BLACK, solid=False)

@@ -76,7 +76,7 @@ def _north(world, wall):
     for i, (s, knee, screens) in enumerate(((5.1, True, (0, 2)), (6.7, True, (1,)), (8.3, False, (0,)))):
         world.against(wall, s, f.desk("lab_desk_north_%d" % i, colour=(look.BEECH, look.PINE, look.OAK)[i],
                                       knee=knee, screens=screens))
-    for s, out, colour in ((5.1, 0.56, (40, 60, 110)), (6.75, 0.72, (110, 40, 40))):
+    for s, out, colour in ((5.1, 0.54, (40, 60, 110)), (6.75, 0.72, (110, 40, 40))):
         x, y, _ = wall.at(s, 0, out)
         world.add(f.swivel_chair("lab_chair_%02x" % colour[0], colour), x, y, wall.yaw() + 6)
     shelf = f.bookshelf("lab_shelf_low", 1.2, 1.25, 0.4, look.PINE, 3)
@@ -104,7 +104,7 @@ def _south(world, wall):
         world.against(wall, s, f.desk("lab_desk_south_%d" % i, knee=knee, screens=screens,
                                       colour=(look.OAK, (190, 190, 186), look.BEECH, look.WALNUT)[i]))
     for s, turn, colour in ((4.4, -8, (30, 100, 80)), (7.65, 5, (30, 100, 80)), (9.2, 12, (60, 60, 62))):
-        x, y, _ = wall.at(s, 0, 0.57)
+        x, y, _ = wall.at(s, 0, 0.54)
         world.add(f.swivel_chair("lab_chair_%d" % int(s), colour), x, y, wall.yaw() + turn)
     for s, colour in ((0.4, look.STEEL), (0.9, (90, 110, 90)), (1.4, look.STEEL)):
         world.against(wall, s, f.file_cabinet("lab_files_%d" % int(10 * s), colour=colour))
