@@ -27,6 +27,7 @@ struct ExploreArguments
   std::string map;
   double forwardDistance = 2.0;
   std::string homing = "minwarping";
+  double maxTime = 1e5;
   bool overwrite = false;
   bool resume = false;
   bool verbose = false;
@@ -64,9 +65,13 @@ public:
   Finish run()
   {
     const Explorer explorer({.forwardDistance = m_arguments.forwardDistance});
+    const auto enough = [this] {
+      return toSeconds(m_robot.simulator().clock().now()) > m_arguments.maxTime;
+    };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
-    const Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),
-                                     &m_file, m_robot.simulator().clock(), m_counts, onStep);
+    const Finish finish =
+        runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(), &m_file,
+                   m_robot.simulator().clock(), m_counts, enough, onStep);
     endProgress();
     m_truth.end = m_robot.simulator().truth().pose;
     if (!m_file.map().nodes().empty()) {
@@ -207,6 +212,9 @@ void addExploreCommand(CLI::App &app, int &status)
       ->check(CLI::Range(0.5, 20.0))
       ->capture_default_str();
   command->add_option("--homing", arguments->homing, "minwarping, or hiss as the seed")
+      ->capture_default_str();
+  command->add_option("--max-time", arguments->maxTime, "Simulated seconds after which it stops")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--overwrite", arguments->overwrite, "Replace an existing map");
   command->add_flag("--resume", arguments->resume, "Go on with an existing map");

@@ -23,12 +23,13 @@ struct MissionCounts
  * Runs a mission to its end: what a step changes is in the map file, in one transaction, before its
  * command goes to the pilot. A new node is known to the pilot by the picture as stored.
  * @param file open for writing, or null when the mission changes no map
+ * @param enough asked after every command; true ends the mission as an interruption does
  * @param onStep called with every step after it was stored
  */
-template <class Mission, class OnStep>
+template <class Mission, class Enough, class OnStep>
 Finish runMission(const Mission &mission, Step<typename Mission::State> step, Pilot &pilot,
                   const TopologicalMap &map, MapFile *file, const Clock &clock,
-                  MissionCounts &counts, OnStep onStep)
+                  MissionCounts &counts, Enough enough, OnStep onStep)
 {
   while (true) {
     MapUpdate update;
@@ -58,7 +59,7 @@ Finish runMission(const Mission &mission, Step<typename Mission::State> step, Pi
       ++counts.homingsTried;
       counts.homingsArrived += homed->end == HomingEnd::Arrived ? 1 : 0;
     }
-    step = mission.next(step.state, map, report);
+    step = mission.next(step.state, map, enough() ? Report(Interrupted{}) : report);
   }
 }
 

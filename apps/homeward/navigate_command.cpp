@@ -28,6 +28,7 @@ struct NavigateArguments
   std::int64_t to = -1;
   std::int64_t from = -1;
   std::string homing = "minwarping";
+  double maxTime = 3600.0;
   bool verbose = false;
   std::string json;
 };
@@ -88,6 +89,7 @@ int navigate(const NavigateArguments &arguments)
   MissionCounts counts;
   std::vector<NodeId> visited;
   const Clock &clock = robot.simulator().clock();
+  const auto enough = [&] { return toSeconds(clock.now()) > arguments.maxTime; };
   const auto onStep = [&](const Step<NavigatorState> &step) {
     endProgress();
     for (const std::string &line : step.log) {
@@ -98,7 +100,7 @@ int navigate(const NavigateArguments &arguments)
     showProgress("simulated " + std::to_string(std::lround(toSeconds(clock.now()))) + " s");
   };
   const Finish finish = runMission(navigator, navigator.start(file.map(), NodeId{arguments.to}),
-                                   pilot, file.map(), nullptr, clock, counts, onStep);
+                                   pilot, file.map(), nullptr, clock, counts, enough, onStep);
   endProgress();
 
   nlohmann::json json = jsonHeader("navigate");
@@ -139,6 +141,9 @@ void addNavigateCommand(CLI::App &app, int &status)
   command->add_option("--to", arguments->to, "Node to drive to")->required();
   command->add_option("--from", arguments->from, "Start at this node's true place, any heading");
   command->add_option("--homing", arguments->homing, "minwarping, or hiss as the seed")
+      ->capture_default_str();
+  command->add_option("--max-time", arguments->maxTime, "Simulated seconds after which it gives up")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--verbose", arguments->verbose, "Print every place decision");
   command->add_option("--json", arguments->json, "Write a summary as JSON (- for standard output)");

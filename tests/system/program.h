@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace homeward
+{
+
+/** What a run of the program left behind. */
+struct ProgramRun
+{
+  int status = -1;
+  std::string output; ///< standard output and standard error
+};
+
+/** Runs `homeward ARGUMENTS` in a shell. */
+inline ProgramRun runProgram(const std::string &arguments)
+{
+  const std::string command = std::string(HOMEWARD_PROGRAM) + " " + arguments + " 2>&1";
+  ProgramRun run;
+  FILE *pipe = popen(command.c_str(), "r"); // NOLINT(cert-env33-c)
+  if (pipe == nullptr) {
+    return run;
+  }
+  std::array<char, 4096> buffer{};
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    run.output.append(buffer.data(), got);
+  }
+  const int ended = pclose(pipe);
+  run.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+  return run;
+}
+
+/** A folder of its own for a test, gone with it. */
+class Folder
+{
+public:
+  Folder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "homewardXXXXXX").string();
+    m_path = mkdtemp(name.data());
+  }
+  ~Folder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(m_path, ignored);
+  }
+  Folder(const Folder &) = delete;
+  Folder &operator=(const Folder &) = delete;
+
+  std::string operator/(const std::string &name) const { return (m_path / name).string(); }
+
+private:
+  std::filesystem::path m_path;
+};
+
+inline std::string fileText(const std::string &file)
+{
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+} // namespace homeward
