@@ -44,18 +44,22 @@ void writeText(const std::string &file, const std::string &text)
     std::fwrite(text.data(), 1, text.size(), stdout);
     return;
   }
-  const fs::path part = file + ".part";
-  {
-    std::ofstream stream(part, std::ios::binary);
-    stream << text;
-    stream.flush();
-    if (!stream) {
-      std::error_code ignored;
-      fs::remove(part, ignored);
-      throw RuntimeError("cannot write " + file + "; check that the folder exists and has room");
-    }
-  }
   std::error_code error;
+  const fs::file_status target = fs::status(file, error);
+  const bool device = fs::exists(target) && !fs::is_regular_file(target);
+  const fs::path part = device ? file : file + ".part";
+  std::ofstream stream(part, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) {
+    if (!device) {
+      fs::remove(part, error);
+    }
+    throw RuntimeError("cannot write " + file + "; check that the folder exists and has room");
+  }
+  if (device) {
+    return;
+  }
   fs::rename(part, file, error);
   if (error) {
     throw RuntimeError("cannot write " + file + ": " + error.message());

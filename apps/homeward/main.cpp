@@ -4,6 +4,7 @@
 #include <homeward/core/error.h>
 
 #include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -11,6 +12,7 @@
 int main(int argc, char **argv)
 {
   cv::setNumThreads(1); // results must not depend on how many threads share a sum
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); // ours is one line
   CLI::App app{"Visual navigation with a mirror camera."};
   app.name("homeward");
   app.require_subcommand(1);

@@ -75,6 +75,7 @@ void scan(const ScanArguments &arguments)
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = wall.count();
+  writeJson(arguments.json, json);
   if (arguments.json != "-") {
     std::printf("%s: scans %zu, odometry lines %zu, open directions %zu (%.1f a scan)\n",
                 arguments.log.c_str(), log.scans.size(), log.odometryLines, found,
@@ -82,7 +83,6 @@ void scan(const ScanArguments &arguments)
                     ? 0.0
                     : static_cast<double>(found) / static_cast<double>(log.scans.size()));
   }
-  writeJson(arguments.json, json);
 }
 
 } // namespace
