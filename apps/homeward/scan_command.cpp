@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 #include "files.h"
+#include "mission_setup.h"
 
 #include <homeward/core/error.h>
 #include <homeward/laser/carmen_log.h>
@@ -25,6 +26,7 @@ struct ScanArguments
   std::string json;
   std::string picture;
   std::size_t index = 0;
+  double forwardDistance = 2.0;
 };
 
 void drawScan(const ScanArguments &arguments, const CarmenScan &scan,
@@ -58,7 +60,8 @@ void scan(const ScanArguments &arguments)
   std::size_t found = 0;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     const CarmenScan &taken = log.scans[i];
-    const std::vector<OpenDirection> directions = findOpenDirections(taken.scan, {});
+    const std::vector<OpenDirection> directions =
+        findOpenDirections(taken.scan, openDirectionOptions(arguments.forwardDistance));
     found += directions.size();
     nlohmann::json entry{
         {"index", i}, {"time_s", taken.time}, {"readings", taken.scan.ranges.size()}};
@@ -97,6 +100,10 @@ void addScanCommand(CLI::App &app, int &status)
                       "Write every scan's directions as JSON (- for standard output)");
   command->add_option("--picture", arguments->picture, "Draw one scan, .svg or .png");
   command->add_option("--index", arguments->index, "Scan to draw, counted from 0")
+      ->capture_default_str();
+  command
+      ->add_option("--forward-distance", arguments->forwardDistance, "Metres a direction is driven")
+      ->check(CLI::Range(0.5, 20.0))
       ->capture_default_str();
   command->callback([arguments, &status] {
     scan(*arguments);

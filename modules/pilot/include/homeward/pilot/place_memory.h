@@ -58,7 +58,7 @@ public:
     std::size_t candidates =
         40;             ///< places compared pair by pair, the most similar histograms first
     bool verify = true; ///< false: the nearest histogram below the threshold decides, as the seed
-    double sameDistance = 1.25;     ///< metres up to which two views are one place
+    double sameDistance = 1.25;    ///< metres up to which two views are one place
     double landmarkRange = 2.6;    ///< metres that a distance proxy of 1 stands for, where unknown
     double landmarkRangeMin = 1.5; ///< metres, bounds of what is learnt from a drive
     double landmarkRangeMax = 7.0;
