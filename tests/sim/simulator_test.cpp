@@ -87,6 +87,7 @@ TEST(Simulator, refusesAStartInAWallInOneLine)
 TEST(Simulator, refusesAStartOutsideTheWorld)
 {
   EXPECT_THAT(refusal(makeRoom(4.0F, 4.0F), {40.0, 2.0, 0.0}), HasSubstr("outside"));
+  EXPECT_THAT(refusal(makeRoom(4.0F, 4.0F), {1e300, 2.0, 0.0}), HasSubstr("outside"));
   EXPECT_THAT(refusal(makeRoom(4.0F, 4.0F), {std::nan(""), 2.0, 0.0}), HasSubstr("outside"));
 }
 

@@ -11,11 +11,11 @@ namespace homeward
 
 Verification WarpingVerifier::verify(const Panorama &current, const Panorama &stored)
 {
-  return verify(prepare(current), prepare(stored));
+  return compare(prepare(current), prepare(stored)).verification;
 }
 
-Verification WarpingVerifier::verify(const ColumnFeatures &current,
-                                     const ColumnFeatures &stored) const
+WarpingVerifier::Comparison WarpingVerifier::compare(const ColumnFeatures &current,
+                                                     const ColumnFeatures &stored) const
 {
   const auto match = m_warping.match(current, stored);
   if (!match) {
@@ -24,23 +24,16 @@ Verification WarpingVerifier::verify(const ColumnFeatures &current,
   const auto share = [](double value, double same, double other) {
     return std::clamp((other - value) / (other - same), 0.0, 1.0);
   };
-  Verification verification;
-  verification.probability =
+  Comparison comparison;
+  comparison.verification.probability =
       share(match->matchDistance, m_options.sameMatch, m_options.otherMatch) *
       share(match->contrast, m_options.sameContrast, m_options.otherContrast);
-  verification.verified =
+  comparison.verification.verified =
       match->matchDistance <= m_options.sameMatch && match->contrast <= m_options.sameContrast;
-  return verification;
-}
-
-std::optional<double> WarpingVerifier::distanceProxy(const ColumnFeatures &current,
-                                                     const ColumnFeatures &stored) const
-{
-  const auto match = m_warping.match(current, stored);
-  if (!match || match->contrast > m_options.otherContrast) {
-    return std::nullopt;
+  if (match->contrast <= m_options.otherContrast) {
+    comparison.distanceProxy = match->home.distanceProxy;
   }
-  return match->home.distanceProxy;
+  return comparison;
 }
 
 PlaceMemory::PlaceMemory(const Options &options)
@@ -72,7 +65,7 @@ double PlaceMemory::landmarkRange(const ColumnFeatures &current,
   if (!left || left->distance < kShortest || !knows(left->node)) {
     return m_options.landmarkRange;
   }
-  const auto proxy = m_verifier.distanceProxy(current, m_places.at(left->node).features);
+  const auto proxy = m_verifier.compare(current, m_places.at(left->node).features).distanceProxy;
   return proxy ? std::clamp(left->distance / *proxy, m_options.landmarkRangeMin,
                             m_options.landmarkRangeMax)
                : m_options.landmarkRange;
@@ -88,15 +81,11 @@ std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current,
   for (const Match &candidate : m_index.nearest(signature, m_options.candidates)) {
     PlaceMatch match{candidate.node, 0.0, false, candidate.dissimilarity * kReferencePixels};
     if (m_options.verify) {
-      const ColumnFeatures &stored = m_places.at(candidate.node).features;
-      const Verification same = m_verifier.verify(features, stored);
-      match.probability = same.probability;
-      if (same.verified) {
-        const bool justLeft = left && left->node == candidate.node;
-        const double distance =
-            justLeft ? left->distance : range * *m_verifier.distanceProxy(features, stored);
-        match.verified = distance <= m_options.sameDistance;
-      }
+      const auto same = m_verifier.compare(features, m_places.at(candidate.node).features);
+      const bool justLeft = left && left->node == candidate.node;
+      const double distance = justLeft ? left->distance : range * same.distanceProxy.value_or(1e3);
+      match.probability = same.verification.probability;
+      match.verified = same.verification.verified && distance <= m_options.sameDistance;
     }
     else if (matches.empty() && match.dissimilarity < m_options.histogramThreshold) {
       match.probability = 1.0;

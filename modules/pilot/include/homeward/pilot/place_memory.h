@@ -30,14 +30,18 @@ public:
 
   explicit WarpingVerifier(const Options &options) : m_options(options) {}
 
+  /** What a comparison says, and how far apart the views are where they show the same surroundings.
+   */
+  struct Comparison
+  {
+    Verification verification;
+    std::optional<double> distanceProxy; ///< see HomeVector
+  };
+
   Verification verify(const Panorama &current, const Panorama &stored) override;
 
   /** As verify(), on prepared panoramas. */
-  Verification verify(const ColumnFeatures &current, const ColumnFeatures &stored) const;
-
-  /** Distance proxy between two views of the same surroundings; nothing when they are not. */
-  std::optional<double> distanceProxy(const ColumnFeatures &current,
-                                      const ColumnFeatures &stored) const;
+  Comparison compare(const ColumnFeatures &current, const ColumnFeatures &stored) const;
 
   ColumnFeatures prepare(const Panorama &panorama) const { return m_warping.prepare(panorama); }
 

@@ -17,11 +17,11 @@ struct FloorRaster
   int columns = 0;                  ///< cells along x
   int rows = 0;                     ///< cells along y
 
-  /** The cell of a point; it may lie outside the raster. */
+  /** The cell of a point; it may lie outside the raster, and does for a point that is no number. */
   cv::Point cell(const Eigen::Vector2d &point) const
   {
     const Eigen::Vector2d scaled = (point - origin) / resolution;
-    return {static_cast<int>(std::floor(scaled.x())), static_cast<int>(std::floor(scaled.y()))};
+    return {index(scaled.x()), index(scaled.y())};
   }
 
   /** The middle of a cell, metres. */
@@ -33,6 +33,14 @@ struct FloorRaster
   bool contains(const cv::Point &cell) const
   {
     return cell.x >= 0 && cell.y >= 0 && cell.x < columns && cell.y < rows;
+  }
+
+private:
+  /** Rounded down; far ones end where sums of a few still fit into an int, no number does low. */
+  static int index(double scaled)
+  {
+    constexpr double kFar = 1e8;
+    return static_cast<int>(std::floor(std::fmin(std::fmax(scaled, -kFar), kFar)));
   }
 };
 
