@@ -56,7 +56,7 @@ public:
     }
     m_truth.end = m_robot.simulator().truth().pose;
     if (arguments.verbose) {
-      m_pilot.trace = [](const std::string &line) { std::printf("  # %s\n", line.c_str()); };
+      m_pilot.trace = [this](const std::string &line) { say(line); };
     }
     m_pilot.onView = [this] { m_viewTruth = m_robot.simulator().truth().pose; };
     rememberAll(m_file, m_pilot);
@@ -153,6 +153,15 @@ private:
                                                  : MapFile::IfExists::Refuse);
   }
 
+  /** A line for whoever looks for the reason of something, with when and where it was. */
+  void say(const std::string &line) const
+  {
+    const Truth truth = m_robot.simulator().truth();
+    std::printf("  # %.1f s, at %.2f,%.2f,%.2f, %d collisions, %d unseen: %s\n",
+                toSeconds(m_robot.simulator().clock().now()), truth.pose.x, truth.pose.y,
+                truth.pose.heading, truth.collisions, truth.unseenContacts, line.c_str());
+  }
+
   void follow(const Step<ExplorerState> &step)
   {
     endProgress();
@@ -218,7 +227,8 @@ void addExploreCommand(CLI::App &app, int &status)
       ->capture_default_str();
   command->add_flag("--overwrite", arguments->overwrite, "Replace an existing map");
   command->add_flag("--resume", arguments->resume, "Go on with an existing map");
-  command->add_flag("--verbose", arguments->verbose, "Print every place decision");
+  command->add_flag("--verbose", arguments->verbose,
+                    "Print every decision, and where the robot truly is");
   command->add_option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
   command->callback([arguments, &status] { status = explore(*arguments); });
 }

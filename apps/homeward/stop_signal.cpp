@@ -14,7 +14,9 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 void onSignal(int number)
 {
   g_stop = true;
-  std::signal(number, SIG_DFL);
+  if (number == SIGINT) {
+    std::signal(number, SIG_DFL); // a second Ctrl-C ends it at once
+  }
 }
 
 } // namespace

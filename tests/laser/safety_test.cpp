@@ -82,7 +82,7 @@ TEST(Avoid, TurnsAwayFromWhatIsNearerThan20Centimetres)
 
 TEST(Avoid, GoesOnTurningToTheSideItHasBegunWith)
 {
-  std::vector<Eigen::Vector2d> points = wall(0.15, 0.0);
+  std::vector<Eigen::Vector2d> points = wall(0.18, 0.0);
   const Twist2 first = avoid(points, kRobot, {0.3, 0.0});
   ASSERT_NE(first.w, 0.0);
   double turned = 0.0;

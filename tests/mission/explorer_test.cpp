@@ -128,6 +128,60 @@ TEST(Explorer, BlockedAtOnceClosesTheDirection)
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
 }
 
+TEST(Explorer, AFewFailedHomingsLeaveNothingUnexplored)
+{
+  for (int failures = 1; failures < 5; ++failures) {
+    GridWorld world(ring(), {0, 0});
+    world.homingFailures = failures;
+    EXPECT_EQ(explore(world, oneMetre()).map.openDirectionCount(), 0) << failures;
+  }
+}
+
+/** Node 0 with a direction left, node 1 that no edge leads to, and a robot that has come to 1. */
+struct CutOff
+{
+  TopologicalMap map;
+  ExplorerState state;
+
+  CutOff()
+  {
+    map.apply(NodeAdded{{NodeId{0}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
+    map.apply(NodeAdded{{NodeId{1}, {}}});
+    state.phase = ExplorerState::Phase::Homing;
+    state.origin = NodeId{1};
+    state.target = NodeId{1};
+  }
+};
+
+TEST(Explorer, CutOffItDrivesToAPlaceThatLeadsOn)
+{
+  const Explorer explorer(oneMetre());
+  const CutOff at;
+  auto step = explorer.next(at.state, at.map, Homed{HomingEnd::Arrived, {}});
+  ASSERT_TRUE(std::holds_alternative<Recognise>(step.command));
+  const Recognised seen{{{NodeId{1}, 1.0, true, 10.0}, {NodeId{0}, 0.8, false, 300.0}}};
+  step = explorer.next(step.state, at.map, seen);
+  ASSERT_TRUE(std::holds_alternative<HomeTo>(step.command));
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
+  step = explorer.next(step.state, at.map, Homed{HomingEnd::Arrived, {0.9, 0.9, 0.0, kPi}});
+  EXPECT_TRUE(std::holds_alternative<DriveDirection>(step.command));
+  ASSERT_EQ(step.changes.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<EdgeAdded>(step.changes[0]));
+}
+
+TEST(Explorer, CutOffForGoodItEnds)
+{
+  const Explorer explorer(oneMetre());
+  const CutOff at;
+  auto step = explorer.next(at.state, at.map, Homed{HomingEnd::Arrived, {}});
+  int looks = 0;
+  for (; std::holds_alternative<Recognise>(step.command) && looks < 10; ++looks) {
+    step = explorer.next(step.state, at.map, Recognised{{{NodeId{1}, 1.0, true, 10.0}}});
+  }
+  EXPECT_EQ(looks, ExplorerOptions{}.rescueTries);
+  EXPECT_TRUE(std::holds_alternative<Finish>(step.command));
+}
+
 TEST(Explorer, StopsWhenInterrupted)
 {
   const Explorer explorer(oneMetre());

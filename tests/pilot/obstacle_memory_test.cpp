@@ -65,6 +65,17 @@ TEST(ObstacleMemory, BelievesInContactsThatNoSensorSees)
   EXPECT_NEAR(memory.points({0.2, 0.0, 0.0})[0].x(), 0.3, 1e-9);
 }
 
+TEST(ObstacleMemory, TellsWhatItSawFromWhatContactsMadeItBelieve)
+{
+  ObstacleMemory memory({});
+  memory.update(scanOf(0.0, 1.0, 0.0), {}, {});
+  memory.addContact({0.4, 0.1}, Time(fromSeconds(0.0)));
+  EXPECT_EQ(memory.points({}).size(), 2U);
+  EXPECT_EQ(memory.sensed({}).size(), 1U);
+  memory.forgetContacts();
+  EXPECT_EQ(memory.points({}).size(), 1U);
+}
+
 TEST(ObstacleMemory, TakesNearEchoesOnly)
 {
   ObstacleMemory memory({});

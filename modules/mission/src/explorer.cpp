@@ -123,17 +123,28 @@ public:
 
   void relocated(const Recognised &report)
   {
-    const std::optional<NodeId> place = likeliestPlace(report.matches);
-    if (!place || m_step.state.retries++ > 1) {
-      survey();
-      return;
+    ExplorerState &state = m_step.state;
+    std::vector<PlaceMatch> matches = report.matches;
+    if (state.stranded > 0) {
+      std::erase_if(matches, [this](const PlaceMatch &match) { return !pathToOpen(match.node); });
     }
-    home(Phase::Returning, *place, std::nullopt);
+    const std::optional<NodeId> place = likeliestPlace(matches);
+    const bool tried = state.retries++ > 1;
+    if (place && !tried) {
+      home(Phase::Returning, *place, std::nullopt);
+    }
+    else if (state.stranded > 0) {
+      plan(*state.origin);
+    }
+    else {
+      survey();
+    }
   }
 
   void returned(const Homed &report)
   {
     if (report.end == HomingEnd::Arrived) {
+      connect(*m_step.state.target, report.chord);
       leave(*m_step.state.target);
     }
     else {
@@ -207,7 +218,9 @@ private:
     }
     const NodeId origin = *state.origin;
     settle(DirectionState::Driven, "led to node " + std::to_string(node.value));
-    if (chord.travelled > m_options.longestEdge()) {
+    const bool near =
+        chord.distance <= m_options.nearEdge() && chord.travelled <= m_options.longestDetour();
+    if (chord.travelled > m_options.longestEdge() && !near) {
       return;
     }
     if (!m_map.edgeBetween(origin, node)) {
@@ -241,21 +254,30 @@ private:
     plan(node);
   }
 
+  std::optional<std::vector<NodeId>> pathToOpen(NodeId node) const
+  {
+    return overSoundEdges(
+        m_step.state.failures, m_options.legTries,
+        [&](const std::set<EdgeId> &blocked) { return pathToNearestOpen(m_map, node, blocked); });
+  }
+
   void plan(NodeId node)
   {
-    std::set<EdgeId> blocked;
-    for (const auto &[edge, count] : m_step.state.failures) {
-      if (count >= m_options.legTries) {
-        blocked.insert(edge);
-      }
-    }
-    const auto path = pathToNearestOpen(m_map, node, blocked);
+    ExplorerState &state = m_step.state;
+    const auto path = pathToOpen(node);
     if (!path) {
+      if (m_map.openDirectionCount() > 0 && state.stranded < m_options.rescueTries) {
+        ++state.stranded;
+        state.retries = 0;
+        ask(Phase::Relocating, Recognise{});
+        return;
+      }
       finish(Outcome::Done, "no reachable node has an open direction");
       return;
     }
+    state.stranded = 0;
     m_step.log.push_back(routeLine("Path planning", *path));
-    m_step.state.route.assign(path->begin() + 1, path->end());
+    state.route.assign(path->begin() + 1, path->end());
     followRoute();
   }
 

@@ -5,7 +5,9 @@
 #include <homeward/mission/report.h>
 #include <homeward/topology/map.h>
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,5 +35,28 @@ std::string routeLine(const std::string &state, const std::vector<NodeId> &path)
 /** The verified match, else the likeliest with a probability above one half; nothing when unsure.
  */
 std::optional<NodeId> likeliestPlace(const std::vector<PlaceMatch> &matches);
+
+/**
+ * The path over edges that failed seldom: those that failed twice are left out first, and allowed
+ * again, failure by failure up to `tries`, when there is no path without them.
+ * @param plan takes the edges not to be used, returns an optional path
+ */
+template <class Plan>
+auto overSoundEdges(const std::map<EdgeId, int> &failures, int tries, const Plan &plan)
+{
+  constexpr int kFirst = 2;
+  for (int limit = kFirst;; ++limit) {
+    std::set<EdgeId> blocked;
+    for (const auto &[edge, count] : failures) {
+      if (count >= limit) {
+        blocked.insert(edge);
+      }
+    }
+    auto path = plan(blocked);
+    if (path || limit >= tries) {
+      return path;
+    }
+  }
+}
 
 } // namespace homeward

@@ -42,7 +42,7 @@ public:
     std::vector<PlaceMatch> matches = report.matches;
     for (PlaceMatch &match : matches) {
       const auto vain = m_step.state.vain.find(match.node);
-      if (vain != m_step.state.vain.end() && vain->second >= m_options.legTries) {
+      if (vain != m_step.state.vain.end() && vain->second >= m_options.approachTries) {
         match.verified = false;
         match.probability = 0.0;
       }
@@ -114,13 +114,10 @@ private:
   void plan()
   {
     NavigatorState &state = m_step.state;
-    std::set<EdgeId> blocked;
-    for (const auto &[edge, count] : state.failures) {
-      if (count >= m_options.legTries) {
-        blocked.insert(edge);
-      }
-    }
-    const auto path = shortestPath(m_map, *state.here, state.goal, blocked);
+    const auto path =
+        overSoundEdges(state.failures, m_options.legTries, [&](const std::set<EdgeId> &blocked) {
+          return shortestPath(m_map, *state.here, state.goal, blocked);
+        });
     if (!path) {
       finish(Outcome::Failed, "unreachable: no way from node " + std::to_string(state.here->value) +
                                   " to node " + std::to_string(state.goal.value));

@@ -52,7 +52,14 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
       return ends(HomingEnd::Lost);
     }
     if (toSeconds(now - m_lastFree) > m_options.blockedSeconds) {
-      return ends(HomingEnd::Blocked);
+      if (!m_seen.empty() && m_seen.back().home.distanceProxy < m_options.besideProxy) {
+        return ends(HomingEnd::Arrived);
+      }
+      if (m_retreats++ == m_options.retreats || !m_motion.retrace(m_options.retreat)) {
+        return ends(HomingEnd::Blocked);
+      }
+      m_lastFree = m_motion.devices().clock.now();
+      m_lastSeen = m_lastFree;
     }
     if (toSeconds(now - begin) > m_options.timeoutSeconds) {
       return ends(HomingEnd::TimedOut);
@@ -83,27 +90,36 @@ void HomingRun::perceive()
 
 void HomingRun::take(const HomeVector &home, const Pose2 &oMr)
 {
-  // Near the place the home vector is what tells whether it was passed: it then points backwards.
-  const bool near = home.distanceProxy < m_options.nearProxy;
-  const bool behind = std::abs(wrapAngle(home.direction)) > radians(100.0);
-  const bool passed = near && behind && !m_seen.empty() &&
-                      m_seen.back().home.distanceProxy < 1.5 * m_options.nearProxy &&
-                      std::abs(wrapAngle(m_seen.back().home.direction)) < radians(80.0);
-  if (home.distanceProxy < m_options.arrivedProxy) {
-    ++m_arrivals;
-  }
-  else {
-    m_arrivals = passed ? 2 : 0;
-  }
+  m_inside = home.distanceProxy < m_options.arrivedProxy ? m_inside + 1 : 0;
+  noteReversal(home, oMr);
   m_seen.push_back({home, oMr});
   if (m_seen.size() > kRecent) {
     m_seen.erase(m_seen.begin());
   }
 }
 
+void HomingRun::noteReversal(const HomeVector &home, const Pose2 &oMr)
+{
+  constexpr double kSwing = radians(100.0);
+  constexpr double kRoom = 0.5; // metres that the robot may move from swing to swing
+  if (home.confidence < m_options.swingConfidence) {
+    return;
+  }
+  const Swing now{wrapAngle(oMr.heading + home.direction), oMr.translation()};
+  const bool still = m_swing && (m_swing->oPosition - now.oPosition).norm() < kRoom;
+  if (!still) {
+    m_reversals = 0;
+    m_swing = now;
+  }
+  else if (std::abs(wrapAngle(now.oDirection - m_swing->oDirection)) > kSwing) {
+    m_reversals += home.distanceProxy < m_options.nearProxy ? m_options.reversals : 1;
+    m_swing = now;
+  }
+}
+
 bool HomingRun::arrived() const
 {
-  return m_arrivals >= 2;
+  return m_inside >= 2 || m_reversals >= m_options.reversals;
 }
 
 double HomingRun::placeHeading() const
@@ -137,7 +153,7 @@ void HomingRun::drive(const Eigen::Vector2d &oWay)
   const Time now = m_motion.devices().clock.now();
   const bool old = toSeconds(now - m_lastSeen) > m_options.commandSeconds;
   if (m_seen.empty() || old || oWay.norm() < 1e-3) {
-    m_motion.devices().base.drive({});
+    m_motion.hold();
     if (!old) {
       m_lastFree = now;
     }

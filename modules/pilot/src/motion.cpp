@@ -87,6 +87,7 @@ const Motion::Sight &Motion::tick()
       throw StopRequested{};
     }
     look();
+    m_trail.add(pose());
     if (m_sight.base.stalled) {
       backOff();
     }
@@ -100,32 +101,80 @@ const Motion::Sight &Motion::tick()
 
 void Motion::backOff()
 {
-  // What holds the robot is unseen: believe in a wall across its middle, where the mast stands, and
-  // leave it by the way that brought the robot here.
-  constexpr double kSpeed = 0.15;
-  constexpr int kTicks = 40;
-  const double ahead = m_footprint.xMax;
-  for (double y = -0.15; y <= 0.151; y += 0.05) {
-    m_memory.addContact(pose() * Eigen::Vector2d(ahead + 0.02, y), m_devices.clock.now());
-  }
-  const Pose2 start = pose();
-  for (int i = 0; i < kTicks; ++i) {
-    m_devices.base.drive({-kSpeed, 0.0});
+  constexpr double kSpeed = 0.15; // m/s
+  constexpr double kRate = 0.4;   // rad/s
+  constexpr int kTicks = 8;
+  believeInContact();
+  // Where it stood a moment ago it was free.
+  const Twist2 undo{-std::clamp(m_commanded.v, -kSpeed, kSpeed),
+                    -std::clamp(m_commanded.w, -kRate, kRate)};
+  for (int i = 0; i < kTicks && !m_stop; ++i) {
+    command(undo);
     look();
-    const double back = (pose().translation() - start.translation()).norm();
-    const bool held = i > 5 && m_sight.base.stalled;
-    if (back > m_options.retreat || held || m_stop) {
+  }
+  retrace(m_options.retreat);
+}
+
+void Motion::believeInContact()
+{
+  constexpr double kBeside = 0.02; // metres outside the body
+  const Time now = m_devices.clock.now();
+  const auto believe = [&](double x, double y) {
+    m_memory.addContact(pose() * Eigen::Vector2d(x, y), now);
+  };
+  if (m_commanded.v == 0.0) {
+    // Turning, the corners sweep: one ahead or the one across from it was held.
+    const double side = m_commanded.w > 0.0 ? 1.0 : -1.0;
+    const double y = side > 0.0 ? m_footprint.yMax + kBeside : m_footprint.yMin - kBeside;
+    const double across = side > 0.0 ? m_footprint.yMin - kBeside : m_footprint.yMax + kBeside;
+    believe(m_footprint.xMax, y);
+    believe(m_footprint.xMin, across);
+    return;
+  }
+  // What holds the robot is unseen: believe in a wall across its middle, where the mast stands.
+  const double x = m_commanded.v > 0.0 ? m_footprint.xMax + kBeside : m_footprint.xMin - kBeside;
+  for (double y = -0.15; y <= 0.151; y += 0.05) {
+    believe(x, y);
+  }
+}
+
+bool Motion::retrace(double distance)
+{
+  constexpr int kTicks = 120;
+  constexpr double kAhead = 0.08; // metres or radians that must be free, ...
+  constexpr double kLeast = 0.05; // ... and that make it worth while
+  constexpr int kStartTicks = 5;  // a stall reported before is the old one
+  const double begin = m_travelled;
+  for (int i = 0; i < kTicks && m_travelled - begin < distance && !m_stop; ++i) {
+    const auto twist = m_trail.wayBack(pose());
+    if (!twist || freeTravel(m_memory.sensed(pose()), m_footprint, *twist, kAhead) < kLeast ||
+        (i > kStartTicks && m_sight.base.stalled)) {
       break;
     }
+    command(*twist);
+    look();
   }
   stop();
+  const bool moved = m_travelled - begin > kLeast;
+  if (!moved) {
+    // What was believed of contacts leaves no way: it was a guess.
+    m_memory.forgetContacts();
+    m_sight.points = m_memory.points(pose());
+  }
+  return moved;
+}
+
+void Motion::command(const Twist2 &twist)
+{
+  m_commanded = twist;
+  m_devices.base.drive(twist);
 }
 
 void Motion::stop()
 {
   constexpr int kTicks = 20;
   for (int i = 0; i < kTicks; ++i) {
-    m_devices.base.drive({});
+    command({});
     look();
     if (std::abs(m_sight.base.velocity.v) < 0.01 && std::abs(m_sight.base.velocity.w) < 0.02) {
       return;
@@ -136,7 +185,7 @@ void Motion::stop()
 LocalDrive::State Motion::steer(double bearing, double speed)
 {
   const LocalDrive::Decision decision = m_localDrive.choose(m_sight.points, bearing, speed);
-  m_devices.base.drive(decision.twist);
+  command(decision.twist);
   return decision.state;
 }
 
@@ -145,7 +194,7 @@ LocalDrive::State Motion::follow(const Twist2 &twist, double bearing)
   if (twist.v > 0.01) {
     const Twist2 safe = avoid(m_sight.points, m_footprint, twist, m_safety);
     if (safe.v > 0.3 * twist.v && clearance(m_sight.points, m_footprint) > m_options.margin) {
-      m_devices.base.drive(safe);
+      command(safe);
       return LocalDrive::State::Free;
     }
   }
@@ -164,7 +213,9 @@ bool Motion::turnTo(double oHeading)
 {
   constexpr double kClose = 0.03;
   constexpr int kTicks = 250;
+  constexpr int kRetreats = 2;
   int direction = 0;
+  int retreats = 0;
   for (int i = 0; i < kTicks; ++i) {
     const double error = wrapAngle(oHeading - pose().heading);
     if (std::abs(error) < kClose) {
@@ -177,15 +228,17 @@ bool Motion::turnTo(double oHeading)
       if (direction == 0 && !turnIsFree(error)) {
         direction = turnIsFree(longWay) ? (longWay > 0.0 ? 1 : -1) : 0;
         if (direction == 0) {
-          stop();
-          return false;
+          if (retreats++ == kRetreats || !retrace(m_options.retreat)) {
+            stop();
+            return false;
+          }
+          continue;
         }
       }
       way = direction != 0 && direction * error < 0.0 ? longWay : error;
     }
     const double rate = std::clamp(1.5 * std::abs(way), 0.08, m_options.maxTurnRate);
-    m_devices.base.drive(
-        avoid(m_sight.points, m_footprint, {0.0, std::copysign(rate, way)}, m_safety));
+    command(avoid(m_sight.points, m_footprint, {0.0, std::copysign(rate, way)}, m_safety));
     tick();
   }
   stop();

@@ -62,7 +62,7 @@ void ObstacleMemory::addContact(const Eigen::Vector2d &oP, Time now)
   m_contacts.push_back({oP, now + fromSeconds(m_options.keepContact)});
 }
 
-std::vector<Eigen::Vector2d> ObstacleMemory::points(const Pose2 &oMr) const
+std::vector<Eigen::Vector2d> ObstacleMemory::sensed(const Pose2 &oMr) const
 {
   const Pose2 rMo = oMr.inverse();
   std::vector<Eigen::Vector2d> points;
@@ -70,10 +70,20 @@ std::vector<Eigen::Vector2d> ObstacleMemory::points(const Pose2 &oMr) const
   for (const Eigen::Vector2d &oP : m_seen) {
     points.push_back(rMo * oP);
   }
-  for (const auto *kind : {&m_remembered, &m_echoes, &m_contacts}) {
+  for (const auto *kind : {&m_remembered, &m_echoes}) {
     for (const Believed &point : *kind) {
       points.push_back(rMo * point.oP);
     }
+  }
+  return points;
+}
+
+std::vector<Eigen::Vector2d> ObstacleMemory::points(const Pose2 &oMr) const
+{
+  std::vector<Eigen::Vector2d> points = sensed(oMr);
+  const Pose2 rMo = oMr.inverse();
+  for (const Believed &contact : m_contacts) {
+    points.push_back(rMo * contact.oP);
   }
   return points;
 }

@@ -11,6 +11,25 @@
 
 namespace homeward
 {
+namespace
+{
+
+const char *name(HomingEnd end)
+{
+  switch (end) {
+  case HomingEnd::Arrived:
+    return "arrived";
+  case HomingEnd::Blocked:
+    return "blocked";
+  case HomingEnd::Lost:
+    return "lost";
+  case HomingEnd::TimedOut:
+    return "timed out";
+  }
+  return "?";
+}
+
+} // namespace
 
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
              const PilotOptions &options, const std::atomic<bool> &stop)
@@ -133,6 +152,12 @@ Report Pilot::run(const DriveDirection &command)
   }
   m_motion.stop();
   report.chord = chordTo(m_motion.pose());
+  if (trace) {
+    char text[80];
+    std::snprintf(text, sizeof text, "drive %.0f deg: %.1f m%s", degrees(command.bearing),
+                  report.chord.distance, report.blocked ? ", blocked" : "");
+    trace(text);
+  }
   return report;
 }
 
@@ -171,6 +196,7 @@ Report Pilot::run(const HomeTo &command)
                      }
                      return m_homing->compute(current, snapshot);
                    });
+  const double travelledBefore = m_motion.travelled();
   std::optional<double> oDeparture;
   if (command.departure) {
     oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
@@ -178,6 +204,13 @@ Report Pilot::run(const HomeTo &command)
   const HomingRun::Result result = homing.run(oDeparture);
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
   const Homed report{result.end, chordTo(oMplace)};
+  if (trace) {
+    char text[80];
+    std::snprintf(text, sizeof text, "home to %lld: %s after %.1f m",
+                  static_cast<long long>(command.node.value), name(result.end),
+                  m_motion.travelled() - travelledBefore);
+    trace(text);
+  }
   if (result.end == HomingEnd::Arrived) {
     standAt(command.node, oMplace);
   }

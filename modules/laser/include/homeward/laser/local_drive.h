@@ -33,8 +33,8 @@ public:
   {
     double maxSpeed = 0.5;                ///< m/s
     double maxTurnRate = 1.0;             ///< rad/s
-    double margin = 0.08;                 ///< metres preferred around the footprint
-    double minMargin = 0.03;              ///< metres kept around it in any case
+    double margin = 0.10;                 ///< metres preferred around the footprint
+    double minMargin = 0.05;              ///< metres kept around it in any case
     double minTravel = 0.30;              ///< metres a direction must be free for
     double maxDeflection = radians(80.0); ///< rad from the desired bearing
     double turnFirst = radians(60.0);     ///< rad from which the robot turns on the spot

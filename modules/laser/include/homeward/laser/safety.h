@@ -13,7 +13,7 @@ namespace homeward
 struct AvoidOptions
 {
   double nearDistance = 0.20;       ///< metres along the commanded path that must be free
-  double margin = 0.03;             ///< metres beside that path kept free, where they are
+  double margin = 0.05;             ///< metres beside that path kept free, where they are
   double turnAngle = radians(15.0); ///< rad turned away at least from what is nearer
   double turnRate = 0.5;            ///< rad/s while turning away
   double deceleration = 0.5;        ///< m/s^2 the base brakes with

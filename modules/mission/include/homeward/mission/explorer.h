@@ -34,7 +34,8 @@ struct ExplorerState
   std::optional<NodeId> target;         ///< of the homing under way
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
-  std::map<EdgeId, int> failures;       ///< legs that were not driven to their end
+  int stranded = 0;               ///< looks for a place that leads on, since the last that did
+  std::map<EdgeId, int> failures; ///< legs that were not driven to their end
 };
 
 /** Settings of an exploration. */
@@ -45,29 +46,40 @@ struct ExplorerOptions
   /** Radians: an open direction this near to a driven way is settled with it; 0 is the seed's
    * behaviour. */
   double settledAngle = 0.6;
-  int legTries = 2;   ///< failures after which an edge is no longer planned over
-  int maxNodes = 400; ///< a map that grows beyond is a fault, not a building
+  int legTries = 5;    ///< failures after which an edge is never planned over again
+  int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
+  int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
 
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }
+
+  /** Metres, straight, that count as a way however much the robot drove to and fro over it, ... */
+  double nearEdge() const { return 0.5 * forwardDistance; }
+
+  /** ... as long as odometry is good. */
+  double longestDetour() const { return 8.0 * forwardDistance; }
 };
 
+// clang-format off
 /**
  * Explores until no node has an open direction: a pure state machine over (state, map, report).
  *
- * | phase       | report     | next |
+ * | phase       | report     | next                                                                  |
  * |-------------|------------|-----------------------------------------------------------------------|
- * | Surveying   | Surveyed   | node, edge to the node left; then leave the node | | Driving     |
- * Driven     | Classifying; home to the node left when blocked at once               | |
- * Classifying | Recognised | Homing to the verified place; Surveying when there is none | | Homing
- * | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  | |
- * Following   | Homed      | arrived: next leg, leave the last node; else Relocating | | Relocating
- * | Recognised | Returning to the best place; Surveying when there is none             | |
- * Returning   | Homed      | arrived: leave the node; else Surveying |
+ * | Surveying   | Surveyed   | node, edge to the node left; then leave the node                      |
+ * | Driving     | Driven     | Classifying; home to the node left when blocked at once               |
+ * | Classifying | Recognised | Homing to the verified place; Surveying when there is none            |
+ * | Homing      | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  |
+ * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
+ * | Relocating  | Recognised | Returning to the best place; Surveying when there is none             |
+ * |             |            | the same when cut off, but a place that leads on; else Finished       |
+ * | Returning   | Homed      | arrived: leave the node; else Relocating                              |
  *
  * To leave a node is to drive its next open direction (Driving), else to follow the route to the
- * nearest node with one (Following), else Finished. \cite Thesis, ch. 4.1
+ * nearest node with one (Following), when cut off from them all to look round (Relocating), else
+ * Finished. \cite Thesis, ch. 4.1
  */
+// clang-format on
 class Explorer
 {
 public:

@@ -35,19 +35,22 @@ struct NavigatorState
 /** Settings of a navigation. */
 struct NavigatorOptions
 {
-  int legTries = 2;  ///< failures after which an edge is no longer planned over
-  int maxLooks = 12; ///< times to find out anew where the robot is before it says "lost"
+  int legTries = 4;      ///< failures after which an edge is never planned over again
+  int approachTries = 2; ///< approaches in vain after which a place is no longer believed in
+  int maxLooks = 12;     ///< times to find out anew where the robot is before it says "lost"
 };
 
+// clang-format off
 /**
  * Drives to a node by sight: a pure state machine over (state, map, report).
  *
- * | phase       | report     | next                                                              |
- * |-------------|------------|-------------------------------------------------------------------|
- * | Locating    | Recognised | Approaching the likeliest place; Finished (lost) when there is none
- * | | Approaching | Homed      | arrived: Following the shortest path; else Locating | | Following
- * | Homed      | arrived: next leg, Finished at the goal; else Locating            |
+ * | phase       | report     | next                                                                |
+ * |-------------|------------|---------------------------------------------------------------------|
+ * | Locating    | Recognised | Approaching the likeliest place; Finished (lost) when there is none |
+ * | Approaching | Homed      | arrived: Following the shortest path; else Locating                 |
+ * | Following   | Homed      | arrived: next leg, Finished at the goal; else Locating              |
  */
+// clang-format on
 class Navigator
 {
 public:

@@ -17,15 +17,20 @@ namespace homeward
 /** Settings of a drive to a place by sight. */
 struct HomingRunOptions
 {
-  double visionPeriod = 0.4;      ///< s between pictures
-  double visionLatency = 0.2;     ///< s from a picture to its home vector
-  double commandSeconds = 1.5;    ///< s after which a home vector is too old to drive on
-  double arrivedProxy = 0.08;     ///< distance proxy of a place reached
-  double nearProxy = 0.16;        ///< within it, a home vector that swings round means "passed it"
-  double minConfidence = 0.04;    ///< home vectors below say nothing
-  double lostSeconds = 8.0;       ///< s without a home vector that says something
-  double blockedSeconds = 6.0;    ///< s without a free way
-  double timeoutSeconds = 75.0;   ///< s altogether
+  double visionPeriod = 0.4;    ///< s between pictures
+  double visionLatency = 0.2;   ///< s from a picture to its home vector
+  double commandSeconds = 1.5;  ///< s after which a home vector is too old to drive on
+  double arrivedProxy = 0.08;   ///< distance proxy of a place reached
+  double nearProxy = 0.16;      ///< within it, a home vector that swings round says "passed it"
+  int reversals = 3;            ///< farther away it must swing round so often on the same spot, ...
+  double swingConfidence = 0.4; ///< ... and be so sure
+  double besideProxy = 0.12;    ///< within it, a place that nothing leads nearer to is reached
+  double minConfidence = 0.04;  ///< home vectors below say nothing
+  double lostSeconds = 8.0;     ///< s without a home vector that says something
+  double blockedSeconds = 3.0;  ///< s without a free way before it backs out, ...
+  int retreats = 2;             ///< ... so many times, then it gives up
+  double retreat = 0.6;         ///< metres it backs out along the way it came
+  double timeoutSeconds = 75.0; ///< s altogether
   double departureDistance = 1.5; ///< metres over which a known departure bearing is trusted
 };
 
@@ -59,8 +64,16 @@ private:
     Pose2 oMr; ///< the robot when the picture was taken
   };
 
+  /** Where the home vector pointed when the robot stood at a position, odometry frame. */
+  struct Swing
+  {
+    double oDirection = 0.0;
+    Eigen::Vector2d oPosition;
+  };
+
   void perceive();
   void take(const HomeVector &home, const Pose2 &oMr);
+  void noteReversal(const HomeVector &home, const Pose2 &oMr);
   bool arrived() const;
   double placeHeading() const;
   Eigen::Vector2d wayHome(std::optional<double> oDeparture) const;
@@ -78,7 +91,10 @@ private:
   Time m_lastFree;
   Pose2 m_start;
   double m_startTravelled = 0.0;
-  int m_arrivals = 0;
+  std::optional<Swing> m_swing; ///< when the home vector last swung round
+  int m_inside = 0;             ///< home vectors in a row that say "here"
+  int m_reversals = 0;          ///< swings on the same spot
+  int m_retreats = 0;
 };
 
 } // namespace homeward

@@ -3,6 +3,7 @@
 
 #include <homeward/laser/local_drive.h>
 #include <homeward/pilot/obstacle_memory.h>
+#include <homeward/pilot/trail.h>
 #include <homeward/robot/clock.h>
 #include <homeward/robot/image_source.h>
 #include <homeward/robot/laser_scanner.h>
@@ -31,7 +32,7 @@ struct MotionOptions
   double staleSeconds = 0.5; ///< a scan or state older than this stops the robot
   double maxSpeed = 0.5;     ///< m/s
   double maxTurnRate = 1.0;  ///< rad/s
-  double margin = 0.08;      ///< metres preferred round the body
+  double margin = 0.10;      ///< metres preferred round the body
   double retreat = 0.3;      ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
@@ -90,9 +91,19 @@ public:
    */
   LocalDrive::State follow(const Twist2 &twist, double bearing);
 
-  /** Turns on the spot to a heading of the odometry frame. @return false when there is no room to
-   */
+  /** Turns on the spot to a heading of the odometry frame, backing out first of where there is no
+   * room to. @return false when there still is none */
   bool turnTo(double oHeading);
+
+  /**
+   * Drives back along the way it came, which was free, out of where no way leads on.
+   * @param distance metres along the way
+   * @return whether the robot has moved
+   */
+  bool retrace(double distance);
+
+  /** Asks for zero velocity, for one tick. */
+  void hold() { command({}); }
 
   /** Zero velocity; returns when the robot stands. */
   void stop();
@@ -102,6 +113,8 @@ public:
 private:
   void look();
   void backOff();
+  void believeInContact();
+  void command(const Twist2 &twist);
   bool turnIsFree(double angle) const;
 
   Devices m_devices;
@@ -112,6 +125,8 @@ private:
   AvoidOptions m_safety;
   LocalDrive m_localDrive;
   ObstacleMemory m_memory;
+  Trail m_trail;
+  Twist2 m_commanded; ///< last
   Sight m_sight;
   Time m_nextTick;
   double m_travelled = 0.0;

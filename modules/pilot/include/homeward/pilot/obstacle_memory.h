@@ -44,7 +44,13 @@ public:
   /** Remembers that something unseen stands at a point of the odometry frame, metres. */
   void addContact(const Eigen::Vector2d &oP, Time now);
 
-  /** Everything believed, in the robot's frame, metres. */
+  /** Gives up the guesses that contacts led to. */
+  void forgetContacts() { m_contacts.clear(); }
+
+  /** What laser and sonar saw, in the robot's frame, metres. */
+  std::vector<Eigen::Vector2d> sensed(const Pose2 &oMr) const;
+
+  /** Everything believed, contacts too, in the robot's frame, metres. */
   std::vector<Eigen::Vector2d> points(const Pose2 &oMr) const;
 
 private:
