@@ -73,9 +73,8 @@ public:
         runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(), &m_file,
                    m_robot.simulator().clock(), m_counts, enough, onStep);
     endProgress();
-    m_truth.end = m_robot.simulator().truth().pose;
     if (!m_file.map().nodes().empty()) {
-      saveTruthLog(truthLogFile(m_arguments.map), m_truth);
+      saveTruth();
     }
     m_file.close();
     return finish;
@@ -170,16 +169,23 @@ private:
     }
     std::fflush(stdout);
     const Truth truth = m_robot.simulator().truth();
+    m_truth.path.push_back(truth.pose.translation());
     for (const MapChange &change : step.changes) {
       if (const auto *added = std::get_if<NodeAdded>(&change)) {
         m_truth.nodes[added->node.id] = m_viewTruth;
+        saveTruth();
       }
     }
-    m_truth.path.push_back(truth.pose.translation());
     showProgress("simulated " +
                  std::to_string(std::lround(toSeconds(m_robot.simulator().clock().now()))) +
                  " s, nodes " + std::to_string(m_file.map().nodes().size()) + ", open directions " +
                  std::to_string(m_file.map().openDirectionCount()));
+  }
+
+  void saveTruth()
+  {
+    m_truth.end = m_robot.simulator().truth().pose;
+    saveTruthLog(truthLogFile(m_arguments.map), m_truth);
   }
 
   const ExploreArguments &m_arguments;

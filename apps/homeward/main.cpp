@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -13,6 +14,7 @@ int main(int argc, char **argv)
 {
   cv::setNumThreads(1); // results must not depend on how many threads share a sum
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); // ours is one line
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is a failed write, with its message
   CLI::App app{"Visual navigation with a mirror camera."};
   app.name("homeward");
   app.require_subcommand(1);

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -79,7 +80,14 @@ void render(const MapArguments &arguments)
   std::optional<TruthLog> truth = loadTruthLog(truthLogFile(arguments.map));
   MapPicture picture;
   picture.title = fs::path(arguments.map).stem().string();
-  if (truth) {
+  const bool known =
+      truth && std::all_of(file.map().nodes().begin(), file.map().nodes().end(),
+                           [&](const auto &node) { return truth->nodes.contains(node.first); });
+  if (truth && !known) {
+    std::fprintf(stderr, "homeward: %s lacks nodes of this map; drawn without it\n",
+                 truthLogFile(arguments.map).c_str());
+  }
+  if (known) {
     if (!arguments.world.empty()) {
       truth->world = arguments.world;
     }

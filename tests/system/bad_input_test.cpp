@@ -124,5 +124,16 @@ TEST_F(BadInput, FullDisk)
   expectRefusal(runProgram("scan " + log + " --json /dev/full"), "/dev/full");
 }
 
+TEST_F(BadInput, DiskThatFillsUpDuringARunKeepsTheMap)
+{
+  // No file may grow beyond 200 blocks of 1 KB: three nodes or so.
+  const ProgramRun run = runProgram("explore --max-time 300 --map " + map, "ulimit -f 200; ");
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_THAT(run.output, testing::ContainsRegex("\nhomeward: map [^\n]*map.hwm [^\n]*\n$"));
+  const ProgramRun info = runProgram("map info " + map);
+  EXPECT_EQ(info.status, 0) << info.output;
+  EXPECT_THAT(info.output, testing::HasSubstr("nodes "));
+}
+
 } // namespace
 } // namespace homeward

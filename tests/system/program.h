@@ -21,10 +21,10 @@ struct ProgramRun
   std::string output; ///< standard output and standard error
 };
 
-/** Runs `homeward ARGUMENTS` in a shell. */
-inline ProgramRun runProgram(const std::string &arguments)
+/** Runs `homeward ARGUMENTS` in a shell, after what else the shell is to do. */
+inline ProgramRun runProgram(const std::string &arguments, const std::string &before = "")
 {
-  const std::string command = std::string(HOMEWARD_PROGRAM) + " " + arguments + " 2>&1";
+  const std::string command = before + HOMEWARD_PROGRAM + " " + arguments + " 2>&1";
   ProgramRun run;
   FILE *pipe = popen(command.c_str(), "r"); // NOLINT(cert-env33-c)
   if (pipe == nullptr) {

@@ -92,6 +92,7 @@ public:
       leave(target);
     }
     else if (state.retries++ == 0) {
+      ++state.vain[target];
       ask(Phase::Classifying, Recognise{});
     }
     else {
@@ -107,6 +108,7 @@ public:
       state.route.erase(state.route.begin());
       state.origin = reached;
       state.retries = 0;
+      state.vain.clear();
       if (state.route.empty()) {
         leave(reached);
       }
@@ -118,6 +120,7 @@ public:
     if (const auto edge = m_map.edgeBetween(*state.origin, state.route.front())) {
       ++state.failures[edge->id];
     }
+    ++state.vain[state.route.front()];
     ask(Phase::Relocating, Recognise{});
   }
 
@@ -128,7 +131,7 @@ public:
     if (state.stranded > 0) {
       std::erase_if(matches, [this](const PlaceMatch &match) { return !pathToOpen(match.node); });
     }
-    const std::optional<NodeId> place = likeliestPlace(matches);
+    const std::optional<NodeId> place = likeliestPlace(notInVain(matches, state.vain, 1));
     const bool tried = state.retries++ > 1;
     if (place && !tried) {
       home(Phase::Returning, *place, std::nullopt);
@@ -148,6 +151,7 @@ public:
       leave(*m_step.state.target);
     }
     else {
+      ++m_step.state.vain[*m_step.state.target];
       ask(Phase::Relocating, Recognise{});
     }
   }
@@ -247,6 +251,7 @@ private:
     for (const Direction &direction : m_map.node(node).directions) {
       if (direction.state == DirectionState::Open) {
         state.direction = direction.id;
+        state.vain.clear();
         ask(Phase::Driving, DriveDirection{direction.bearing, m_options.forwardDistance});
         return;
       }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace homeward
 {
@@ -43,6 +44,18 @@ std::optional<NodeId> likeliestPlace(const std::vector<PlaceMatch> &matches)
     return likeliest->node;
   }
   return std::nullopt;
+}
+
+std::vector<PlaceMatch> notInVain(const std::vector<PlaceMatch> &matches,
+                                  const std::map<NodeId, int> &vain, int limit)
+{
+  std::vector<PlaceMatch> left;
+  std::copy_if(matches.begin(), matches.end(), std::back_inserter(left),
+               [&](const PlaceMatch &match) {
+                 const auto count = vain.find(match.node);
+                 return count == vain.end() || count->second < limit;
+               });
+  return likeliestPlace(left) ? left : matches;
 }
 
 } // namespace homeward

@@ -36,6 +36,10 @@ std::string routeLine(const std::string &state, const std::vector<NodeId> &path)
  */
 std::optional<NodeId> likeliestPlace(const std::vector<PlaceMatch> &matches);
 
+/** The matches without the places homed to in vain `limit` times; all of them when none is left. */
+std::vector<PlaceMatch> notInVain(const std::vector<PlaceMatch> &matches,
+                                  const std::map<NodeId, int> &vain, int limit);
+
 /**
  * The path over edges that failed seldom: those that failed twice are left out first, and allowed
  * again, failure by failure up to `tries`, when there is no path without them.

@@ -39,15 +39,8 @@ public:
   /** Approaches the likeliest place; one that was approached in vain gives way to others. */
   void located(const Recognised &report)
   {
-    std::vector<PlaceMatch> matches = report.matches;
-    for (PlaceMatch &match : matches) {
-      const auto vain = m_step.state.vain.find(match.node);
-      if (vain != m_step.state.vain.end() && vain->second >= m_options.approachTries) {
-        match.verified = false;
-        match.probability = 0.0;
-      }
-    }
-    const std::optional<NodeId> place = likeliestPlace(matches);
+    const std::optional<NodeId> place =
+        likeliestPlace(notInVain(report.matches, m_step.state.vain, m_options.approachTries));
     if (!place) {
       finish(Outcome::Failed, "lost: this view shows no known place");
       return;

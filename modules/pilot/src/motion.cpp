@@ -29,6 +29,7 @@ LocalDrive::Options driveOptions(const MotionOptions &options)
   drive.maxSpeed = options.maxSpeed;
   drive.maxTurnRate = options.maxTurnRate;
   drive.margin = options.margin;
+  drive.minMargin = options.minMargin;
   return drive;
 }
 
@@ -192,7 +193,10 @@ LocalDrive::State Motion::steer(double bearing, double speed)
 LocalDrive::State Motion::follow(const Twist2 &twist, double bearing)
 {
   if (twist.v > 0.01) {
-    const Twist2 safe = avoid(m_sight.points, m_footprint, twist, m_safety);
+    // Where there is less room, LocalDrive weighs how much of it to keep.
+    AvoidOptions roomy = m_safety;
+    roomy.margin = m_options.margin;
+    const Twist2 safe = avoid(m_sight.points, m_footprint, twist, roomy);
     if (safe.v > 0.3 * twist.v && clearance(m_sight.points, m_footprint) > m_options.margin) {
       command(safe);
       return LocalDrive::State::Free;

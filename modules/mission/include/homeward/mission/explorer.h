@@ -34,6 +34,7 @@ struct ExplorerState
   std::optional<NodeId> target;         ///< of the homing under way
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
+  std::map<NodeId, int> vain;           ///< homings that did not arrive since the robot last got on
   int stranded = 0;               ///< looks for a place that leads on, since the last that did
   std::map<EdgeId, int> failures; ///< legs that were not driven to their end
 };
@@ -46,7 +47,7 @@ struct ExplorerOptions
   /** Radians: an open direction this near to a driven way is settled with it; 0 is the seed's
    * behaviour. */
   double settledAngle = 0.6;
-  int legTries = 5;    ///< failures after which an edge is never planned over again
+  int legTries = 4;    ///< failures after which an edge is never planned over again
   int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
   int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
 

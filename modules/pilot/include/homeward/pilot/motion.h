@@ -33,6 +33,7 @@ struct MotionOptions
   double maxSpeed = 0.5;     ///< m/s
   double maxTurnRate = 1.0;  ///< rad/s
   double margin = 0.10;      ///< metres preferred round the body
+  double minMargin = 0.08;   ///< metres kept round it in any case: furniture is wider lower down
   double retreat = 0.3;      ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
