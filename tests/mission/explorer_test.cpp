@@ -128,13 +128,45 @@ TEST(Explorer, BlockedAtOnceClosesTheDirection)
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
 }
 
-TEST(Explorer, AFewFailedHomingsLeaveNothingUnexplored)
+TEST(Explorer, TriesTheOnlyWayAgainThoughItFailed)
 {
-  for (int failures = 1; failures < 5; ++failures) {
-    GridWorld world(ring(), {0, 0});
-    world.homingFailures = failures;
-    EXPECT_EQ(explore(world, oneMetre()).map.openDirectionCount(), 0) << failures;
+  const Explorer explorer(oneMetre());
+  TopologicalMap map;
+  map.apply(NodeAdded{{NodeId{0}, {}}});
+  map.apply(NodeAdded{{NodeId{1}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
+  map.apply(EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.0, kPi}});
+  ExplorerState state;
+  state.phase = ExplorerState::Phase::Homing;
+  state.origin = NodeId{0};
+  state.target = NodeId{0};
+  for (int failed = 0; failed < ExplorerOptions{}.legTries; ++failed) {
+    state.failures[EdgeId{0}] = failed;
+    const auto step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
+    EXPECT_TRUE(std::holds_alternative<HomeTo>(step.command)) << failed;
   }
+  state.failures[EdgeId{0}] = ExplorerOptions{}.legTries;
+  const auto step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
+  EXPECT_FALSE(std::holds_alternative<HomeTo>(step.command));
+}
+
+TEST(Explorer, GoesRoundAWayThatFailedTwice)
+{
+  const Explorer explorer(oneMetre());
+  TopologicalMap map;
+  map.apply(NodeAdded{{NodeId{0}, {}}});
+  map.apply(NodeAdded{{NodeId{1}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
+  map.apply(NodeAdded{{NodeId{2}, {}}});
+  map.apply(EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.0, kPi}});
+  map.apply(EdgeAdded{{EdgeId{1}, NodeId{0}, NodeId{2}, 1.0, 1.0}});
+  map.apply(EdgeAdded{{EdgeId{2}, NodeId{2}, NodeId{1}, 2.0, 2.0}});
+  ExplorerState state;
+  state.phase = ExplorerState::Phase::Homing;
+  state.origin = NodeId{0};
+  state.target = NodeId{0};
+  state.failures[EdgeId{0}] = 2;
+  const auto step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
+  ASSERT_TRUE(std::holds_alternative<HomeTo>(step.command));
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{2});
 }
 
 /** Node 0 with a direction left, node 1 that no edge leads to, and a robot that has come to 1. */
