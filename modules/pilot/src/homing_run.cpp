@@ -35,6 +35,8 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
   m_nextPicture = begin;
   m_lastSeen = begin;
   m_lastFree = begin;
+  m_gotOn = begin;
+  m_gotOnAt = m_motion.pose().translation();
   m_start = m_motion.pose();
   m_startTravelled = m_motion.travelled();
   const auto ends = [this](HomingEnd end) {
@@ -51,7 +53,12 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
     if (toSeconds(now - m_lastSeen) > m_options.lostSeconds) {
       return ends(HomingEnd::Lost);
     }
-    if (toSeconds(now - m_lastFree) > m_options.blockedSeconds) {
+    if ((m_motion.pose().translation() - m_gotOnAt).norm() > m_options.headway) {
+      m_gotOnAt = m_motion.pose().translation();
+      m_gotOn = now;
+    }
+    if (toSeconds(now - m_lastFree) > m_options.blockedSeconds ||
+        toSeconds(now - m_gotOn) > m_options.headwaySeconds) {
       if (!m_seen.empty() && m_seen.back().home.distanceProxy < m_options.besideProxy) {
         return ends(HomingEnd::Arrived);
       }
@@ -60,6 +67,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
       }
       m_lastFree = m_motion.devices().clock.now();
       m_lastSeen = m_lastFree;
+      m_gotOn = m_lastFree;
     }
     if (toSeconds(now - begin) > m_options.timeoutSeconds) {
       return ends(HomingEnd::TimedOut);

@@ -33,13 +33,24 @@ LocalDrive::Options driveOptions(const MotionOptions &options)
   return drive;
 }
 
+LocalDrive::Options tightOptions(const MotionOptions &options)
+{
+  LocalDrive::Options drive = driveOptions(options);
+  drive.maxSpeed = options.tightSpeed;
+  drive.margin = options.minMargin;
+  drive.minMargin = options.tightMargin;
+  drive.safety.margin = options.tightMargin;
+  return drive;
+}
+
 } // namespace
 
 Motion::Motion(const Devices &devices, const RobotDescription &robot, const MotionOptions &options,
                const std::atomic<bool> &stop)
     : m_devices(devices), m_options(options), m_stop(stop), m_footprint(footprintOf(robot)),
       m_rMl(planar(robot.rMl)), m_safety(driveOptions(options).safety),
-      m_localDrive(m_footprint, driveOptions(options)), m_memory(options.memory),
+      m_localDrive(m_footprint, driveOptions(options)),
+      m_tightDrive(m_footprint, tightOptions(options)), m_memory(options.memory),
       m_nextTick(devices.clock.now())
 {}
 
@@ -183,9 +194,21 @@ void Motion::stop()
   }
 }
 
-LocalDrive::State Motion::steer(double bearing, double speed)
+LocalDrive::State Motion::steer(double bearing, double speed, Room room)
 {
-  const LocalDrive::Decision decision = m_localDrive.choose(m_sight.points, bearing, speed);
+  const Time now = m_devices.clock.now();
+  LocalDrive::Decision decision;
+  if (now >= m_tightUntil) {
+    decision = m_localDrive.choose(m_sight.points, bearing, speed);
+    const bool allowed =
+        room == Room::Tight || clearance(m_sight.points, m_footprint) < m_options.minMargin;
+    if (decision.state == LocalDrive::State::Blocked && allowed) {
+      m_tightUntil = now + fromSeconds(m_options.tightSeconds);
+    }
+  }
+  if (now < m_tightUntil) {
+    decision = m_tightDrive.choose(m_sight.points, bearing, std::min(speed, m_options.tightSpeed));
+  }
   command(decision.twist);
   return decision.state;
 }
@@ -202,7 +225,7 @@ LocalDrive::State Motion::follow(const Twist2 &twist, double bearing)
       return LocalDrive::State::Free;
     }
   }
-  return steer(bearing, std::max(twist.v, 0.15));
+  return steer(bearing, std::max(twist.v, 0.15), Room::Tight);
 }
 
 bool Motion::turnIsFree(double angle) const

@@ -146,7 +146,7 @@ Report Pilot::run(const DriveDirection &command)
     }
     const double bearing = wrapAngle(std::atan2(oLeft.y(), oLeft.x()) - m_motion.pose().heading);
     const double speed = std::clamp(left, 0.1, m_options.motion.maxSpeed);
-    if (m_motion.steer(bearing, speed) != LocalDrive::State::Blocked) {
+    if (m_motion.steer(bearing, speed, Motion::Room::Ample) != LocalDrive::State::Blocked) {
       free = now;
     }
   }

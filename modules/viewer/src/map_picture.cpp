@@ -242,7 +242,7 @@ private:
     label(13.0, "closed");
     if (m_metric && m_picture->trajectory.size() > 1) {
       canvas.line({{x - 6.0, y}, {x + 18.0, y}}, {std::nullopt, palette::kPath, 1.6});
-      label(26.0, "path driven");
+      label(26.0, "from stop to stop");
     }
     if (m_picture->route.size() > 1) {
       canvas.line({{x - 6.0, y}, {x + 18.0, y}}, {std::nullopt, palette::kRoute, 5.0});

@@ -28,6 +28,8 @@ struct HomingRunOptions
   double minConfidence = 0.04;  ///< home vectors below say nothing
   double lostSeconds = 8.0;     ///< s without a home vector that says something
   double blockedSeconds = 3.0;  ///< s without a free way before it backs out, ...
+  double headway = 0.15;        ///< metres it must have moved ...
+  double headwaySeconds = 12.0; ///< ... within so many seconds; else it is blocked too
   int retreats = 2;             ///< ... so many times, then it gives up
   double retreat = 0.6;         ///< metres it backs out along the way it came
   double timeoutSeconds = 75.0; ///< s altogether
@@ -89,6 +91,8 @@ private:
   Time m_nextPicture;
   Time m_lastSeen;
   Time m_lastFree;
+  Time m_gotOn;              ///< when it last had moved on
+  Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
   Pose2 m_start;
   double m_startTravelled = 0.0;
   std::optional<Swing> m_swing; ///< when the home vector last swung round

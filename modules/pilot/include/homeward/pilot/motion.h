@@ -34,6 +34,9 @@ struct MotionOptions
   double maxTurnRate = 1.0;  ///< rad/s
   double margin = 0.10;      ///< metres preferred round the body
   double minMargin = 0.08;   ///< metres kept round it in any case: furniture is wider lower down
+  double tightMargin = 0.03; ///< metres kept where there is no other way, ...
+  double tightSpeed = 0.15;  ///< m/s, ... driven slowly
+  double tightSeconds = 3.0; ///< s it goes on so, lest it turns to and fro
   double retreat = 0.3;      ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
@@ -81,9 +84,20 @@ public:
   /** Metres driven so far, along the path. */
   double travelled() const { return m_travelled; }
 
-  /** Drives towards a bearing for one tick, round what is in the way. Radians in the robot's frame,
-   * m/s. */
-  LocalDrive::State steer(double bearing, double speed);
+  /** How narrow a way may be. */
+  enum class Room
+  {
+    Ample, ///< not driven before: it may be narrower than the laser sees
+    Tight  ///< leads to a place known to be reached
+  };
+
+  /**
+   * Drives towards a bearing for one tick, round what is in the way. Out of a place that is tight
+   * already a tight way is taken too.
+   * @param bearing radians in the robot's frame
+   * @param speed m/s
+   */
+  LocalDrive::State steer(double bearing, double speed, Room room);
 
   /**
    * Drives a twist for one tick when its arc is free, else steers towards the bearing that it
@@ -125,11 +139,13 @@ private:
   Pose2 m_rMl;
   AvoidOptions m_safety;
   LocalDrive m_localDrive;
+  LocalDrive m_tightDrive;
   ObstacleMemory m_memory;
   Trail m_trail;
   Twist2 m_commanded; ///< last
   Sight m_sight;
   Time m_nextTick;
+  Time m_tightUntil{}; ///< tight ways are taken until then
   double m_travelled = 0.0;
   bool m_looked = false;
 };

@@ -22,10 +22,10 @@ class ObstacleMemory
 public:
   struct Options
   {
-    double reach = 3.0;        ///< metres from the robot's centre; farther points are forgotten
-    double keepSeconds = 25.0; ///< how long an unseen point is believed
-    double keepContact = 60.0; ///< seconds a place of contact is believed
-    double sonarReach = 0.3;   ///< metres; the place of a longer echo is too vague to pass doors
+    double reach = 3.0;         ///< metres from the robot's centre; farther points are forgotten
+    double keepSeconds = 25.0;  ///< how long an unseen point is believed
+    double keepContact = 300.0; ///< seconds a place of contact is believed
+    double sonarReach = 0.3;    ///< metres; the place of a longer echo is too vague to pass doors
   };
 
   explicit ObstacleMemory(const Options &options);
