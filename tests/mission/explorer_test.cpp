@@ -214,6 +214,23 @@ TEST(Explorer, CutOffForGoodItEnds)
   EXPECT_TRUE(std::holds_alternative<Finish>(step.command));
 }
 
+TEST(Explorer, APlaceHomedToInVainGivesWayToAnother)
+{
+  const Explorer explorer(oneMetre());
+  const CutOff at;
+  ExplorerState state = at.state;
+  state.phase = ExplorerState::Phase::Returning;
+  auto step = explorer.next(state, at.map, Homed{HomingEnd::Blocked, {}});
+  ASSERT_TRUE(std::holds_alternative<Recognise>(step.command));
+  const Recognised seen{{{NodeId{1}, 1.0, true, 10.0}, {NodeId{0}, 0.8, false, 300.0}}};
+  step = explorer.next(step.state, at.map, seen);
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
+  // When nothing else is likely, the first is better than nothing.
+  step = explorer.next(state, at.map, Homed{HomingEnd::Blocked, {}});
+  step = explorer.next(step.state, at.map, Recognised{{{NodeId{1}, 1.0, true, 10.0}}});
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{1});
+}
+
 TEST(Explorer, StopsWhenInterrupted)
 {
   const Explorer explorer(oneMetre());
