@@ -145,7 +145,7 @@ void addNavigateCommand(CLI::App &app, int &status)
   command->add_option("--max-time", arguments->maxTime, "Simulated seconds after which it gives up")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_flag("--verbose", arguments->verbose, "Print every place decision");
+  command->add_flag("--verbose", arguments->verbose, "Print every decision");
   command->add_option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
   command->callback([arguments, &status] { status = navigate(*arguments); });
 }

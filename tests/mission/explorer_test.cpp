@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 
 namespace homeward
@@ -199,6 +200,25 @@ TEST(Explorer, CutOffItDrivesToAPlaceThatLeadsOn)
   EXPECT_TRUE(std::holds_alternative<DriveDirection>(step.command));
   ASSERT_EQ(step.changes.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<EdgeAdded>(step.changes[0]));
+}
+
+TEST(Explorer, DrivingToAndFroOverAShortWayStillMakesAnEdge)
+{
+  const Explorer explorer(oneMetre());
+  const CutOff at;
+  ExplorerState state = at.state;
+  state.phase = ExplorerState::Phase::Returning;
+  state.target = NodeId{0};
+  const auto edges = [&](double straight, double travelled) {
+    const Chord chord{straight, travelled, 0.0, kPi};
+    const auto step = explorer.next(state, at.map, Homed{HomingEnd::Arrived, chord});
+    return std::count_if(step.changes.begin(), step.changes.end(), [](const MapChange &change) {
+      return std::holds_alternative<EdgeAdded>(change);
+    });
+  };
+  EXPECT_EQ(edges(0.4, 7.0), 1);
+  EXPECT_EQ(edges(0.6, 7.0), 0); // too far for a way that nobody knows
+  EXPECT_EQ(edges(0.4, 9.0), 0); // odometry has drifted by then
 }
 
 TEST(Explorer, CutOffForGoodItEnds)

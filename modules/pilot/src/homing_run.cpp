@@ -37,7 +37,6 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
   m_lastFree = begin;
   m_gotOn = begin;
   m_gotOnAt = m_motion.pose().translation();
-  m_start = m_motion.pose();
   m_startTravelled = m_motion.travelled();
   const auto ends = [this](HomingEnd end) {
     m_motion.stop();

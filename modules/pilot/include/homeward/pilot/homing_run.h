@@ -93,7 +93,6 @@ private:
   Time m_lastFree;
   Time m_gotOn;              ///< when it last had moved on
   Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
-  Pose2 m_start;
   double m_startTravelled = 0.0;
   std::optional<Swing> m_swing; ///< when the home vector last swung round
   int m_inside = 0;             ///< home vectors in a row that say "here"

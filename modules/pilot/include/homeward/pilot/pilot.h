@@ -49,10 +49,7 @@ public:
   /** Makes a node known by sight. @param panorama as decoded from the map file */
   void remember(NodeId node, const Panorama &panorama);
 
-  /** Metres driven so far, by odometry. */
-  double travelled() const { return m_motion.travelled(); }
-
-  /** Called with every place decision, for logs; may be empty. */
+  /** Called with every drive, homing and place decision, for logs; may be empty. */
   std::function<void(const std::string &)> trace;
 
   /** Called when a Survey has taken its picture, before the robot turns; may be empty. */

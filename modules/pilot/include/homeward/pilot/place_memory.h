@@ -21,7 +21,6 @@ class WarpingVerifier : public PairVerifier
 public:
   struct Options
   {
-    double sameDistance = 0.45;  ///< distance proxy up to which two views are one place
     double sameMatch = 0.53;     ///< match distance up to which they show the same surroundings
     double otherMatch = 0.57;    ///< match distance from which they surely do not
     double sameContrast = 0.91;  ///< contrast of the search up to which its answer is distinct
