@@ -53,6 +53,22 @@ ExplorerOptions oneMetre()
   return {.forwardDistance = 1.0};
 }
 
+/** Node 0 with a direction left, node 1 that no edge leads to, and a robot that has come to 1. */
+struct CutOff
+{
+  TopologicalMap map;
+  ExplorerState state;
+
+  CutOff()
+  {
+    map.apply(NodeAdded{{NodeId{0}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
+    map.apply(NodeAdded{{NodeId{1}, {}}});
+    state.phase = ExplorerState::Phase::Homing;
+    state.origin = NodeId{1};
+    state.target = NodeId{1};
+  }
+};
+
 TEST(Explorer, EndsWithEveryPlaceKnownOnce)
 {
   GridWorld world(ring(), {0, 0});
@@ -109,6 +125,86 @@ TEST(Explorer, FailedHomingsMakeNoFalseEdge)
       EXPECT_LE(std::abs(a.first - b.first) + std::abs(a.second - b.second), 1) << failures;
     }
   }
+}
+
+TEST(Explorer, TellsPlacesThatLookAlikeApartByTheWaysDriven)
+{
+  GridWorld world(ring(), {0, 0});
+  world.lookAlike = true;
+  ExplorerOptions options = oneMetre();
+  options.samePlace = 0.5;
+  options.sureNear = 0.5;
+  const Tour run = explore(world, options);
+  EXPECT_EQ(run.finish.outcome, Outcome::Done);
+  EXPECT_EQ(world.nodes.size(), 9U);
+  EXPECT_EQ(run.map.edges().size(), 9U);
+}
+
+//  0 - 1 - 2, a metre apart; the robot has driven half a metre on from 2.
+struct Row
+{
+  TopologicalMap map;
+  ExplorerState state;
+  Driven report{false, {0.5, 0.5, 0.0, kPi}};
+
+  Row()
+  {
+    for (int i = 0; i < 3; ++i) {
+      map.apply(NodeAdded{{NodeId{i}, {}}});
+    }
+    for (int i = 0; i < 2; ++i) {
+      map.apply(EdgeAdded{{EdgeId{i}, NodeId{i}, NodeId{i + 1}, 0.0, kPi}});
+      state.lengths[EdgeId{i}] = 1.0;
+    }
+    state.phase = ExplorerState::Phase::Driving;
+    state.origin = NodeId{2};
+  }
+
+  Command whenSeen(const PlaceMatch &match) const
+  {
+    const Explorer explorer(oneMetre());
+    const auto step = explorer.next(state, map, report);
+    return explorer.next(step.state, map, Recognised{{match}}).command;
+  }
+};
+
+TEST(Explorer, SurveysWhereAPlaceSeenCannotBe)
+{
+  const Row row;
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{0}, 1.0, true, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{1}, 1.0, true, 10.0})));
+}
+
+TEST(Explorer, TakesALikelyPlaceWhereItMustBe)
+{
+  const Row row;
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{2}, 0.95, false, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{2}, 0.8, false, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{1}, 0.95, false, 10.0})));
+}
+
+TEST(Explorer, ComesBackFromADriveThatNoEdgeCanStandForAndGivesUpTheSecondTime)
+{
+  const Explorer explorer(oneMetre());
+  CutOff at;
+  at.state.origin = NodeId{0};
+  at.state.target = NodeId{1};
+  at.state.direction = DirectionId{0};
+  at.state.retries = 1;
+  const Chord far{2.0, 9.0, 0.0, kPi};
+  Step<ExplorerState> step{at.state, {}, {}, {}};
+  for (int drive = 1; drive <= 2; ++drive) {
+    step.state.phase = ExplorerState::Phase::Homing;
+    step.state.target = NodeId{1};
+    step.state.retries = 1;
+    step = explorer.next(step.state, at.map, Homed{HomingEnd::TimedOut, far});
+    ASSERT_TRUE(std::holds_alternative<HomeTo>(step.command));
+    EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
+    step = explorer.next(step.state, at.map, Homed{HomingEnd::Arrived, far});
+    EXPECT_EQ(std::holds_alternative<DriveDirection>(step.command), drive == 1);
+  }
+  ASSERT_EQ(step.changes.size(), 1U);
+  EXPECT_EQ(std::get<DirectionSettled>(step.changes[0]).reason, "given up after 2 drives");
 }
 
 TEST(Explorer, BlockedAtOnceClosesTheDirection)
@@ -169,22 +265,6 @@ TEST(Explorer, GoesRoundAWayThatFailedTwice)
   ASSERT_TRUE(std::holds_alternative<HomeTo>(step.command));
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{2});
 }
-
-/** Node 0 with a direction left, node 1 that no edge leads to, and a robot that has come to 1. */
-struct CutOff
-{
-  TopologicalMap map;
-  ExplorerState state;
-
-  CutOff()
-  {
-    map.apply(NodeAdded{{NodeId{0}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
-    map.apply(NodeAdded{{NodeId{1}, {}}});
-    state.phase = ExplorerState::Phase::Homing;
-    state.origin = NodeId{1};
-    state.target = NodeId{1};
-  }
-};
 
 TEST(Explorer, CutOffItDrivesToAPlaceThatLeadsOn)
 {

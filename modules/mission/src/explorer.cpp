@@ -2,12 +2,14 @@
 #include <homeward/mission/explorer.h>
 
 #include "mission_words.h"
+#include "reckoning.h"
 
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 #include <homeward/topology/planner.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace homeward
 {
@@ -55,6 +57,7 @@ public:
 
   void driven(const Driven &report)
   {
+    m_step.state.chord = report.chord;
     if (report.blocked && report.chord.distance < m_options.shortestDrive) {
       settle(DirectionState::Closed, "blocked");
       m_step.state.direction.reset();
@@ -66,9 +69,8 @@ public:
 
   void classified(const Recognised &report)
   {
-    const auto known = std::find_if(report.matches.begin(), report.matches.end(),
-                                    [](const PlaceMatch &match) { return match.verified; });
-    if (known == report.matches.end()) {
+    const PlaceMatch *known = placeHere(report.matches);
+    if (known == nullptr) {
       survey();
       return;
     }
@@ -83,6 +85,7 @@ public:
   {
     ExplorerState &state = m_step.state;
     const NodeId target = *state.target;
+    state.chord = report.chord;
     if (report.end == HomingEnd::Arrived) {
       if (state.direction && state.origin) {
         m_step.log.push_back(
@@ -95,8 +98,12 @@ public:
       ++state.vain[target];
       ask(Phase::Classifying, Recognise{});
     }
-    else {
+    else if (!state.origin || isWay(report.chord)) {
       survey();
+    }
+    else {
+      ++state.vain[target];
+      home(Phase::Returning, *state.origin, std::nullopt);
     }
   }
 
@@ -107,6 +114,7 @@ public:
       const NodeId reached = state.route.front();
       state.route.erase(state.route.begin());
       state.origin = reached;
+      state.chord = {};
       state.retries = 0;
       state.vain.clear();
       if (state.route.empty()) {
@@ -120,6 +128,7 @@ public:
     if (const auto edge = m_map.edgeBetween(*state.origin, state.route.front())) {
       ++state.failures[edge->id];
     }
+    state.chord = report.chord;
     ++state.vain[state.route.front()];
     ask(Phase::Relocating, Recognise{});
   }
@@ -128,6 +137,9 @@ public:
   {
     ExplorerState &state = m_step.state;
     std::vector<PlaceMatch> matches = report.matches;
+    std::erase_if(matches, [this](const PlaceMatch &match) {
+      return !plausible(match.node, m_options.nearPlace);
+    });
     if (state.stranded > 0) {
       std::erase_if(matches, [this](const PlaceMatch &match) { return !pathToOpen(match.node); });
     }
@@ -147,11 +159,15 @@ public:
   void returned(const Homed &report)
   {
     if (report.end == HomingEnd::Arrived) {
+      if (m_step.state.target == m_step.state.origin) {
+        giveUp();
+      }
       connect(*m_step.state.target, report.chord);
       leave(*m_step.state.target);
     }
     else {
       ++m_step.state.vain[*m_step.state.target];
+      m_step.state.chord = report.chord;
       ask(Phase::Relocating, Recognise{});
     }
   }
@@ -166,6 +182,12 @@ public:
   }
 
 private:
+  struct Offset
+  {
+    double distance = 0.0; ///< metres
+    double error = 0.0;    ///< metres that the distance may be wrong
+  };
+
   void ask(Phase phase, const Command &command)
   {
     m_step.state.phase = phase;
@@ -213,6 +235,76 @@ private:
     }
   }
 
+  /** Counts a drive that led to no edge; closes the direction after some. */
+  void giveUp()
+  {
+    ExplorerState &state = m_step.state;
+    if (state.origin && state.direction &&
+        ++state.attempts[{*state.origin, *state.direction}] >= m_options.directionTries) {
+      settle(DirectionState::Closed,
+             "given up after " + std::to_string(m_options.directionTries) + " drives");
+    }
+  }
+
+  bool tooOftenInVain(NodeId node) const
+  {
+    const auto count = m_step.state.vain.find(node);
+    return count != m_step.state.vain.end() && count->second > 1;
+  }
+
+  /** Whether what was driven is short enough to stand for a way. */
+  bool isWay(const Chord &chord) const
+  {
+    const bool near =
+        chord.distance <= m_options.nearEdge() && chord.travelled <= m_options.longestDetour();
+    return chord.travelled <= m_options.longestEdge() || near;
+  }
+
+  /** How far the node lies from where the robot stands, by the ways driven. */
+  std::optional<Offset> offset(NodeId node) const
+  {
+    const ExplorerState &state = m_step.state;
+    const auto there = state.origin ? reckon(m_map, state.lengths, *state.origin, node)
+                                    : std::optional<Reckoned>{};
+    if (!there) {
+      return std::nullopt;
+    }
+    const Chord &chord = state.chord;
+    const Eigen::Vector2d here(chord.distance * std::cos(chord.bearingAtOrigin),
+                               chord.distance * std::sin(chord.bearingAtOrigin));
+    return Offset{(there->fromMto.translation() - here).norm(),
+                  m_options.reckoningError * there->length};
+  }
+
+  /** Whether the node can stand within `reach` metres of the robot. */
+  bool plausible(NodeId node, double reach) const
+  {
+    const auto off = offset(node);
+    return !off || off->distance <= reach + off->error;
+  }
+
+  /** The known place that the robot is at, by sight and by the ways driven; nullptr if none. */
+  const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches) const
+  {
+    const PlaceMatch *best = nullptr;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const PlaceMatch &match : matches) {
+      const auto off = offset(match.node);
+      const bool near = off && match.probability >= m_options.likely &&
+                        off->distance <= m_options.sureNear + 0.5 * off->error;
+      const bool seen = match.verified && plausible(match.node, m_options.samePlace);
+      if ((!near && !seen) || tooOftenInVain(match.node)) {
+        continue;
+      }
+      const double distance = off ? off->distance : m_options.samePlace;
+      if (distance < nearest) {
+        nearest = distance;
+        best = &match;
+      }
+    }
+    return best;
+  }
+
   /** Records the way from the node left to `node`, where the robot now stands. */
   void connect(NodeId node, const Chord &chord)
   {
@@ -221,13 +313,13 @@ private:
       return;
     }
     const NodeId origin = *state.origin;
-    settle(DirectionState::Driven, "led to node " + std::to_string(node.value));
-    const bool near =
-        chord.distance <= m_options.nearEdge() && chord.travelled <= m_options.longestDetour();
-    if (chord.travelled > m_options.longestEdge() && !near) {
+    if (!isWay(chord)) {
+      giveUp();
       return;
     }
+    settle(DirectionState::Driven, "led to node " + std::to_string(node.value));
     if (!m_map.edgeBetween(origin, node)) {
+      m_step.state.lengths[m_map.nextEdgeId()] = chord.distance;
       change(EdgeAdded{
           Edge{m_map.nextEdgeId(), origin, node, chord.bearingAtOrigin, chord.bearingAtHere}});
     }
@@ -238,7 +330,9 @@ private:
   void leave(NodeId node)
   {
     ExplorerState &state = m_step.state;
+    const bool again = state.origin == node && state.phase == Phase::Returning;
     state.origin = node;
+    state.chord = {};
     state.direction.reset();
     state.target.reset();
     state.route.clear();
@@ -251,7 +345,9 @@ private:
     for (const Direction &direction : m_map.node(node).directions) {
       if (direction.state == DirectionState::Open) {
         state.direction = direction.id;
-        state.vain.clear();
+        if (!again) {
+          state.vain.clear();
+        }
         ask(Phase::Driving, DriveDirection{direction.bearing, m_options.forwardDistance});
         return;
       }

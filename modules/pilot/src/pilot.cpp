@@ -61,6 +61,23 @@ Panorama Pilot::look()
   return panorama;
 }
 
+void Pilot::alignWithPlace()
+{
+  constexpr double kSure = 0.15;
+  constexpr double kLargestDrift = 0.5; // radians; more is a view mistaken, not odometry
+  if (!m_place) {
+    return;
+  }
+  const auto home = m_homing->compute(look(), m_places.snapshot(*m_place));
+  if (!home || home->confidence < kSure) {
+    return;
+  }
+  const double heading = wrapAngle(m_motion.pose().heading - home->headingChange);
+  if (std::abs(wrapAngle(heading - m_oMplace.heading)) < kLargestDrift) {
+    m_oMplace.heading = heading;
+  }
+}
+
 Chord Pilot::chordTo(const Pose2 &oMplace) const
 {
   const Pose2 there = m_oMplace.inverse() * oMplace;
@@ -151,6 +168,7 @@ Report Pilot::run(const DriveDirection &command)
     }
   }
   m_motion.stop();
+  alignWithPlace();
   report.chord = chordTo(m_motion.pose());
   if (trace) {
     char text[80];

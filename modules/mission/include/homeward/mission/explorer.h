@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace homeward
@@ -35,8 +36,11 @@ struct ExplorerState
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
   std::map<NodeId, int> vain;           ///< homings that did not arrive since the robot last got on
-  int stranded = 0;               ///< looks for a place that leads on, since the last that did
-  std::map<EdgeId, int> failures; ///< legs that were not driven to their end
+  int stranded = 0;                 ///< looks for a place that leads on, since the last that did
+  std::map<EdgeId, int> failures;   ///< legs that were not driven to their end
+  std::map<EdgeId, double> lengths; ///< metres, straight, by odometry
+  std::map<std::pair<NodeId, DirectionId>, int> attempts; ///< drives that led to no edge
+  Chord chord; ///< from the origin to where the robot stands
 };
 
 /** Settings of an exploration. */
@@ -47,9 +51,18 @@ struct ExplorerOptions
   /** Radians: an open direction this near to a driven way is settled with it; 0 is the seed's
    * behaviour. */
   double settledAngle = 0.6;
-  int legTries = 4;    ///< failures after which an edge is never planned over again
+  int directionTries = 2; ///< drives without an edge after which a direction is given up
+  int legTries = 4;       ///< failures after which an edge is never planned over again
   int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
   int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
+
+  /** Metres: a verified place must lie this near by the ways driven, the reckoning's error apart.
+   */
+  double samePlace = 1.75;
+  double sureNear = 1.25;       ///< metres by the ways driven that make a likely place the same ...
+  double likely = 0.9;          ///< ... from this probability, verified or not
+  double nearPlace = 3.5;       ///< metres up to which the robot homes when it looks for its way
+  double reckoningError = 0.06; ///< metres a metre of way reckoned over, two sigma
 
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }
@@ -71,6 +84,7 @@ struct ExplorerOptions
  * | Driving     | Driven     | Classifying; home to the node left when blocked at once               |
  * | Classifying | Recognised | Homing to the verified place; Surveying when there is none            |
  * | Homing      | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  |
+ * |             |            | where an edge can be made, else Returning to the node left            |
  * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
  * | Relocating  | Recognised | Returning to the best place; Surveying when there is none             |
  * |             |            | the same when cut off, but a place that leads on; else Finished       |
@@ -79,6 +93,9 @@ struct ExplorerOptions
  * To leave a node is to drive its next open direction (Driving), else to follow the route to the
  * nearest node with one (Following), when cut off from them all to look round (Relocating), else
  * Finished. \cite Thesis, ch. 4.1
+ *
+ * Places look alike. A place recognised counts only where it lies about as far and in the direction
+ * that the edges on the way to it and the drive from the node left say.
  */
 // clang-format on
 class Explorer

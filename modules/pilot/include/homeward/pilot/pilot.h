@@ -64,6 +64,10 @@ private:
 
   Panorama look();
   Scan scanAllRound(const Pose2 &oMr);
+
+  /** Turns get lost on the wheels: the view tells again how the robot stands to the place left. */
+  void alignWithPlace();
+
   Chord chordTo(const Pose2 &oMplace) const;
 
   /** The robot stands at a place whose stored heading is `oMplace.heading`. */
