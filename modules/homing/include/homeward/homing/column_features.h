@@ -19,7 +19,12 @@ struct ColumnFeatureOptions
   double darkLevel = 4.0;          ///< added to intensities (0 to 255) before the logarithm
   double blankContrast = 0.02;     ///< a column with a smaller mean root of edge strength is blank
 
-  bool operator==(const ColumnFeatureOptions &) const = default;
+  friend bool operator==(const ColumnFeatureOptions &a, const ColumnFeatureOptions &b)
+  {
+    return a.columns == b.columns && a.rows == b.rows && a.magnifications == b.magnifications &&
+           a.magnificationStep == b.magnificationStep && a.darkLevel == b.darkLevel &&
+           a.blankContrast == b.blankContrast;
+  }
 };
 
 /**
