@@ -161,9 +161,8 @@ void HomingRun::drive(const Eigen::Vector2d &oWay)
   const bool old = toSeconds(now - m_lastSeen) > m_options.commandSeconds;
   if (m_seen.empty() || old || oWay.norm() < 1e-3) {
     m_motion.hold();
-    if (!old) {
-      m_lastFree = now;
-    }
+    m_lastFree = now; // it does not know the way; nothing bars it
+    m_gotOn = now;
     return;
   }
   HomeVector home = m_seen.back().home;

@@ -156,6 +156,7 @@ bool Motion::retrace(double distance)
   constexpr double kAhead = 0.08; // metres or radians that must be free, ...
   constexpr double kLeast = 0.05; // ... and that make it worth while
   constexpr int kStartTicks = 5;  // a stall reported before is the old one
+  stop();
   const double begin = m_travelled;
   for (int i = 0; i < kTicks && m_travelled - begin < distance && !m_stop; ++i) {
     const auto twist = m_trail.wayBack(pose());

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "test_paths.h"
+#include "test_robot.h"
+
+#include <homeward/core/error.h>
+#include <homeward/pilot/pilot.h>
+#include <homeward/sim/simulator.h>
+
+#include <gtest/gtest.h>
+
+namespace homeward
+{
+namespace
+{
+
+/** Shows what the camera sees, or nothing but black. */
+class CoveredCamera : public ImageSource
+{
+public:
+  explicit CoveredCamera(ImageSource &camera) : m_camera(camera) {}
+
+  std::optional<Frame> grab() override
+  {
+    std::optional<Frame> frame = m_camera.grab();
+    if (frame && covered) {
+      frame->image = cv::Mat::zeros(frame->image.size(), frame->image.type());
+    }
+    return frame;
+  }
+
+  bool covered = false;
+
+private:
+  ImageSource &m_camera;
+};
+
+/** A pilot in the laboratory. */
+class PilotTest : public testing::Test
+{
+protected:
+  PilotTest()
+      : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / "worlds/lab.sdf"))),
+        simulator(m_scene, testRobot(), testCamera(), optionsAt({0.0, -2.5, 0.0})),
+        camera(simulator.camera()),
+        pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, testRobot(),
+              testCamera(), {}, stop)
+  {}
+
+  template <class Answer> Answer ask(const Command &command)
+  {
+    return std::get<Answer>(pilot.execute(command));
+  }
+
+  /** Surveys and makes the place known. */
+  Surveyed makeNode(NodeId node)
+  {
+    const auto surveyed = ask<Surveyed>(Survey{});
+    pilot.remember(node, pilot.view());
+    return surveyed;
+  }
+
+  double distanceTo(const Pose2 &place) const
+  {
+    return (simulator.truth().pose.translation() - place.translation()).norm();
+  }
+
+private:
+  static SimulatorOptions optionsAt(const Pose2 &start)
+  {
+    SimulatorOptions options;
+    options.start = start;
+    return options;
+  }
+
+  std::shared_ptr<const Scene> m_scene;
+
+protected:
+  Simulator simulator;
+  CoveredCamera camera;
+  std::atomic<bool> stop = false;
+  Pilot pilot;
+};
+
+TEST_F(PilotTest, DrivesOffAndFindsBackBySight)
+{
+  const Pose2 home = simulator.truth().pose;
+  const Surveyed survey = makeNode(NodeId{0});
+  EXPECT_FALSE(survey.directions.empty());
+  const auto driven = ask<Driven>(DriveDirection{0.4, 1.5});
+  EXPECT_FALSE(driven.blocked);
+  EXPECT_NEAR(distanceTo(home), 1.5, 0.25);
+  EXPECT_NEAR(driven.chord.distance, 1.5, 0.25);
+
+  const auto homed = ask<Homed>(HomeTo{NodeId{0}, std::nullopt});
+  EXPECT_EQ(homed.end, HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.25);
+  EXPECT_EQ(simulator.truth().collisions, 0);
+}
+
+TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
+{
+  makeNode(NodeId{0});
+  const auto here = ask<Recognised>(Recognise{});
+  ASSERT_EQ(here.matches.size(), 1U);
+  EXPECT_TRUE(here.matches[0].verified);
+  ask<Driven>(DriveDirection{0.4, 2.0});
+  EXPECT_FALSE(ask<Recognised>(Recognise{}).matches[0].verified);
+}
+
+TEST_F(PilotTest, TheChordTellsTheTurnThatTheWheelsForget)
+{
+  const Pose2 home = simulator.truth().pose;
+  makeNode(NodeId{0});
+  const auto driven = ask<Driven>(DriveDirection{2.6, 1.5});
+  const Pose2 there = home.inverse() * simulator.truth().pose;
+  EXPECT_NEAR(wrapAngle(driven.chord.bearingAtOrigin - std::atan2(there.y, there.x)), 0.0,
+              radians(3.0));
+  const Pose2 back = simulator.truth().pose.inverse() * home;
+  EXPECT_NEAR(wrapAngle(driven.chord.bearingAtHere - std::atan2(back.y, back.x)), 0.0,
+              radians(3.0));
+}
+
+TEST_F(PilotTest, IsLostAndStandsWhenTheCameraIsCovered)
+{
+  makeNode(NodeId{0});
+  ask<Driven>(DriveDirection{0.4, 1.5});
+  camera.covered = true;
+  const Pose2 before = simulator.truth().pose;
+  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt}).end, HomingEnd::Lost);
+  EXPECT_LT(distanceTo(before), 0.05);
+  EXPECT_NEAR(simulator.base().state().velocity.v, 0.0, 0.02);
+}
+
+TEST_F(PilotTest, AStopInterruptsADrive)
+{
+  makeNode(NodeId{0});
+  stop = true;
+  EXPECT_TRUE(std::holds_alternative<Interrupted>(pilot.execute(DriveDirection{0.4, 1.5})));
+}
+
+TEST_F(PilotTest, RefusesAPlaceThatItNeverSaw)
+{
+  EXPECT_THROW(pilot.execute(HomeTo{NodeId{7}, std::nullopt}), LogicError);
+}
+
+} // namespace
+} // namespace homeward
