@@ -17,7 +17,10 @@ namespace homeward
 namespace
 {
 
-constexpr int kTurns = 720; ///< places on a circle where texture is sampled
+constexpr double kJustInside = 0.85; ///< share of a circle's radius
+constexpr double kDisc = 0.3;        ///< likewise: all but the middle
+constexpr double kConvincing = 0.1;  ///< least support times change of texture
+constexpr int kTurns = 720;          ///< places on a circle where texture is sampled
 
 /** Mean change from one place to the next along a circle; nothing where the picture ends. */
 std::optional<double> textureAt(const cv::Mat1b &picture, const Eigen::Vector2d &centre,
@@ -59,13 +62,46 @@ double textureOf(const cv::Mat1b &picture, const Circle &circle, double from, do
   return count > 0 ? sum / count : 0.0;
 }
 
-/** How much more happens inside than outside, -1 to 1. */
-double fallOfTexture(const cv::Mat1b &picture, const Circle &circle)
+/** How much more happens inside, from the share `from` of the radius on, than outside; -1 to 1. */
+double fallOfTexture(const cv::Mat1b &picture, const Circle &circle, double from)
 {
   constexpr double kCalm = 0.5; // gray levels; noise is no texture
-  const double inside = textureOf(picture, circle, 0.85, 0.97);
+  const double inside = textureOf(picture, circle, from, 0.97);
   const double outside = textureOf(picture, circle, 1.03, 1.12);
   return (inside - outside) / (inside + outside + kCalm);
+}
+
+/** What hides the middle: a calm disc with the scene round it; radius 0 where there is none. */
+Circle innerCircle(const cv::Mat1b &picture, const std::vector<SupportedCircle> &circles,
+                   const Circle &outer)
+{
+  struct Candidate
+  {
+    Circle circle;
+    double inside;
+    double score;
+  };
+  std::vector<Candidate> candidates;
+  double calmest = 1e9;
+  for (const auto &[circle, support] : circles) {
+    const double score = -support * fallOfTexture(picture, circle, kDisc);
+    const bool within = circle.radius < 0.75 * outer.radius &&
+                        (circle.centre - outer.centre).norm() < 0.12 * outer.radius;
+    if (within && support > 0.75 && score > kConvincing) {
+      candidates.push_back({circle, textureOf(picture, circle, kDisc, 0.97), score});
+      calmest = std::min(calmest, candidates.back().inside);
+    }
+  }
+  Circle best{outer.centre, 0.0};
+  double score = 0.0;
+  for (const Candidate &candidate : candidates) {
+    // The lens shows rings of its own, the floor is calmer than the walls.
+    if (candidate.inside < 1.5 * calmest && candidate.score > score) {
+      score = candidate.score;
+      best = candidate.circle;
+    }
+  }
+  return best;
 }
 
 } // namespace
@@ -87,9 +123,9 @@ std::optional<MirrorCircles> findMirror(const cv::Mat &picture)
   cv::GaussianBlur(gray, smooth, {}, 1.0 + 0.001 * gray.cols);
   const std::vector<SupportedCircle> circles = searchCircles(smooth);
   MirrorCircles mirror;
-  double best = 0.1; // the least that convinces
+  double best = kConvincing;
   for (const SupportedCircle &circle : circles) {
-    const double score = circle.support * fallOfTexture(smooth, circle.circle);
+    const double score = circle.support * fallOfTexture(smooth, circle.circle, kJustInside);
     if (score > best) {
       best = score;
       mirror.outer = circle.circle;
@@ -98,18 +134,7 @@ std::optional<MirrorCircles> findMirror(const cv::Mat &picture)
   if (!(mirror.outer.radius > 0.0)) {
     return std::nullopt;
   }
-  mirror.inner.centre = mirror.outer.centre;
-  best = 0.1;
-  for (const SupportedCircle &circle : circles) {
-    const double score = -circle.support * fallOfTexture(smooth, circle.circle);
-    const bool within =
-        circle.circle.radius < 0.75 * mirror.outer.radius &&
-        (circle.circle.centre - mirror.outer.centre).norm() < 0.12 * mirror.outer.radius;
-    if (within && score > best) {
-      best = score;
-      mirror.inner = circle.circle;
-    }
-  }
+  mirror.inner = innerCircle(smooth, circles, mirror.outer);
   return mirror;
 }
 
