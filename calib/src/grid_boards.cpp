@@ -41,20 +41,30 @@ std::vector<cv::Point2f> findGrid(const cv::Mat1b &image, const Target &target)
   return found ? points : std::vector<cv::Point2f>();
 }
 
-/** The grid round one of its points, up to two pitches away. */
-std::vector<BoardPixel> neighbours(const std::vector<BoardPixel> &grid, const Target &target,
-                                   int index)
+/** Indices of the nine points of the grid round one of them. */
+std::vector<std::size_t> around(const Target &target, int index)
 {
   const int column = index % target.columns;
   const int row = index / target.columns;
   // At the border more to the other side, so that nine points speak everywhere.
   const int left = std::clamp(column - 1, 0, target.columns - 3);
   const int top = std::clamp(row - 1, 0, target.rows - 3);
-  std::vector<BoardPixel> result;
+  std::vector<std::size_t> result;
   for (int r = top; r < top + 3; ++r) {
     for (int c = left; c < left + 3; ++c) {
-      result.push_back(grid[static_cast<std::size_t>(r * target.columns + c)]);
+      result.push_back(static_cast<std::size_t>(r * target.columns + c));
     }
+  }
+  return result;
+}
+
+/** The grid round one of its points, itself included. */
+std::vector<BoardPixel> neighbours(const std::vector<BoardPixel> &grid, const Target &target,
+                                   int index)
+{
+  std::vector<BoardPixel> result;
+  for (const std::size_t i : around(target, index)) {
+    result.push_back(grid[i]);
   }
   return result;
 }
@@ -77,11 +87,12 @@ bool isFlat(const std::vector<BoardPixel> &grid, const Target &target, const Uni
   return true;
 }
 
-/** The points that refine well; nothing where too few do for the grid to be true. */
-std::optional<BoardView> refined(const cv::Mat1b &picture, const Target &target,
-                                 const std::vector<BoardPixel> &grid, const UnifiedCamera &camera)
+/** The grid with its points refined, those that do not refine left out. */
+std::vector<std::optional<BoardPixel>> refinedGrid(const cv::Mat1b &picture, const Target &target,
+                                                   const std::vector<BoardPixel> &grid,
+                                                   const UnifiedCamera &camera)
 {
-  BoardView view;
+  std::vector<std::optional<BoardPixel>> refined(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const auto map = BoardMap::fit(camera, neighbours(grid, target, static_cast<int>(i)));
     if (!map) {
@@ -91,16 +102,51 @@ std::optional<BoardView> refined(const cv::Mat1b &picture, const Target &target,
       return map->toPicture(grid[i].board + target.pitch * offset);
     };
     constexpr double kReach = 0.42; // pitches; the next corner is one away
-    if (const auto pixel = target.kind == TargetKind::Chessboard
-                               ? refineSaddle(picture, toPicture, kReach)
-                               : refineDisc(picture, toPicture)) {
+    const auto pixel = target.kind == TargetKind::Chessboard
+                           ? refineSaddle(picture, toPicture, kReach)
+                           : refineDisc(picture, toPicture);
+    if (pixel) {
+      refined[i] = BoardPixel{grid[i].board, *pixel};
+    }
+  }
+  return refined;
+}
+
+/** Whether a refined point lies where those round it say. */
+bool fitsIn(const std::vector<std::optional<BoardPixel>> &refined, const Target &target,
+            const UnifiedCamera &camera, std::size_t index)
+{
+  std::vector<BoardPixel> others;
+  for (const std::size_t i : around(target, static_cast<int>(index))) {
+    if (i != index && refined[i]) {
+      others.push_back(*refined[i]);
+    }
+  }
+  const auto map = BoardMap::fit(camera, others);
+  if (!map) {
+    return false;
+  }
+  const BoardPixel &point = *refined[index];
+  const Eigen::Vector2d expected = map->toPicture(point.board);
+  const double pitch =
+      (map->toPicture(point.board + Eigen::Vector2d(target.pitch, 0.0)) - expected).norm();
+  return (point.pixel - expected).norm() < 0.7 + 0.03 * pitch;
+}
+
+/** The points that refine well; nothing where too few do for the grid to be true. */
+std::optional<BoardView> viewOf(const std::vector<std::optional<BoardPixel>> &refined,
+                                const Target &target, const UnifiedCamera &camera)
+{
+  BoardView view;
+  for (std::size_t i = 0; i < refined.size(); ++i) {
+    if (refined[i] && fitsIn(refined, target, camera, i)) {
       view.ids.push_back(static_cast<int>(i));
-      view.board.emplace_back(grid[i].board.x(), grid[i].board.y(), 0.0);
-      view.pixels.push_back(*pixel);
+      view.board.emplace_back(refined[i]->board.x(), refined[i]->board.y(), 0.0);
+      view.pixels.push_back(refined[i]->pixel);
     }
   }
   constexpr double kEnough = 0.8;
-  return static_cast<double>(view.ids.size()) >= kEnough * static_cast<double>(grid.size())
+  return static_cast<double>(view.ids.size()) >= kEnough * static_cast<double>(refined.size())
              ? std::optional(view)
              : std::nullopt;
 }
@@ -117,7 +163,10 @@ std::optional<BoardView> findIn(const PictureView &view, const cv::Mat1b &pictur
   for (std::size_t i = 0; i < found.size(); ++i) {
     grid.push_back({points[i].head<2>(), view.toPicture({found[i].x, found[i].y})});
   }
-  return isFlat(grid, target, camera) ? refined(picture, target, grid, camera) : std::nullopt;
+  if (!isFlat(grid, target, camera)) {
+    return std::nullopt;
+  }
+  return viewOf(refinedGrid(picture, target, grid, camera), target, camera);
 }
 
 } // namespace

@@ -89,14 +89,16 @@ QuickCalibration calibrateFromScene(const std::vector<cv::Mat> &pictures, const 
   MirrorShape start{*mirror, sheet.xi.value_or(kUsualXi), sheet.rimElevation.value_or(kUsualRim)};
   QuickCalibration result{start.camera(grays[0].size()), *mirror, 0, 0.0, {}, {}};
   if (enough) {
-    const SceneLines::Fit fit = lines.fit(start, !sheet.xi, !sheet.rimElevation);
+    SceneLines::Fit fit = lines.fit(start, !sheet.xi, !sheet.rimElevation);
+    if (!sheet.xi && !fit.tellsXi) {
+      fit = lines.fit(start, false, !sheet.rimElevation);
+      result.assumed.push_back("xi " + rounded(kUsualXi) +
+                               ", usual for such mirrors: the scene's lines hardly tell it; --xi "
+                               "gives the data sheet's");
+    }
     result.camera = fit.shape.camera(grays[0].size());
     result.lines = fit.lines;
     result.bendPx = fit.rms;
-    if (!sheet.xi && !fit.tellsXi) {
-      result.assumed.push_back("xi near 1 (" + rounded(fit.shape.xi) +
-                               "): the scene's lines hardly tell it; --xi gives the data sheet's");
-    }
   }
   else {
     result.warnings.push_back("the scene shows only " + std::to_string(lines.count()) +

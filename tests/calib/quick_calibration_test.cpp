@@ -61,7 +61,7 @@ TEST(QuickCalibration, straightensTheRealPicture)
   EXPECT_NEAR(quick.camera.parameters().cy, 555.4, 5.0);
   EXPECT_NEAR(angleAt(quick.camera, 443.0), 90.0, 2.0);
   EXPECT_GT(quick.lines, 40);
-  EXPECT_THAT(quick.assumed, testing::Contains(testing::HasSubstr("xi near 1")));
+  EXPECT_THAT(quick.assumed, testing::Contains(testing::HasSubstr("hardly tell")));
 }
 
 TEST(QuickCalibration, saysWhenThereIsNothingToGoBy)

@@ -136,14 +136,16 @@ private:
  * Boards all round a mirror whose axis points down: facing it, nearer and farther, below and at the
  * horizon, tilted and turned. The board's middle is `middle` in its own frame.
  * @param nearest, farthest metres from the mirror
+ * @param highest elevation of a board's middle, radians
  */
 inline std::vector<Eigen::Isometry3d> posesRound(int count, const Eigen::Vector3d &middle,
-                                                 double nearest, double farthest, Random &random)
+                                                 double nearest, double farthest, Random &random,
+                                                 double highest = radians(8.0))
 {
   std::vector<Eigen::Isometry3d> poses;
   for (int i = 0; i < count; ++i) {
     const double azimuth = 2.399963 * i; // the golden angle spreads them
-    const double below = radians(std::array{-8.0, 12.0, 32.0}[static_cast<std::size_t>(i) % 3]);
+    const double below = radians(20.0 * (i % 3)) - highest;
     const Eigen::Vector3d towards(std::cos(below) * std::cos(azimuth),
                                   std::cos(below) * std::sin(azimuth), std::sin(below));
     Eigen::Matrix3d cRo;
