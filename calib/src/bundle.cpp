@@ -266,7 +266,6 @@ BundleResult adjustBundle(const std::vector<BoardView> &views, const PointMask &
   BundleResult result;
   result.state = start;
   result.cost = bundle.cost(start);
-  constexpr double kStill = 1e-12; // of the cost
   double damping = 1e-4;
   double growth = 2.0;
   NormalEquations equations = bundle.linearize(start);
@@ -275,7 +274,7 @@ BundleResult adjustBundle(const std::vector<BoardView> &views, const PointMask &
     const auto next = step ? bundle.stepped(result.state, *step) : std::nullopt;
     const double cost = next ? bundle.cost(*next) : std::numeric_limits<double>::infinity();
     const double gain = result.cost - cost;
-    if (step && step->predicted <= kStill * result.cost + 1e-20) {
+    if (step && step->predicted <= options.still * result.cost + 1e-20) {
       result.converged = true;
     }
     if (std::isfinite(cost) && gain >= 0.0) {

@@ -82,6 +82,7 @@ Fitted withDistortionThatPays(const BoardViews &views, const BundleState &state)
     points += 2.0 * static_cast<double>(std::count(view.begin(), view.end(), true));
   }
   BundleOptions options;
+  options.still = 1e-9;
   const auto criterion = [&](const std::vector<bool> &estimated) {
     options.estimated = estimated;
     const double cost = adjustBundle(views.views, best.fit.inliers, state, options).cost;

@@ -223,7 +223,7 @@ double placeView(const BoardView &view, const std::vector<double> &angles, Eigen
     points.emplace_back(cMo * view.board[i]);
     const double across = std::max(points[i].head<2>().norm(), 1e-9);
     const double s = std::max(std::sin(angles[i]), 1e-3);
-    const double weight = std::pow(s * s / across, 2.0);
+    const double weight = s * s * s * s / (across * across);
     sum += weight * (across * std::cos(angles[i]) / s - points[i].z());
     weights += weight;
   }
@@ -231,7 +231,7 @@ double placeView(const BoardView &view, const std::vector<double> &angles, Eigen
   double error = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double angle = std::atan2(points[i].head<2>().norm(), points[i].z() + height);
-    error += std::pow(angle - angles[i], 2.0);
+    error += (angle - angles[i]) * (angle - angles[i]);
   }
   cMo.translation().z() += height;
   return error / static_cast<double>(points.size());
@@ -273,6 +273,22 @@ std::optional<RadialStart> startOf(const BoardViews &views, const RadialPoses &p
   }
   start.error = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(poses.size(), 1)));
   return std::isfinite(start.error) ? std::optional(start) : std::nullopt;
+}
+
+/** Every so many points of each view: the scan over xi and f needs no more. */
+BoardViews thinned(const BoardViews &views)
+{
+  constexpr std::size_t kEnough = 15;
+  BoardViews few{views.width, views.height, {}};
+  for (const BoardView &view : views.views) {
+    BoardView thin;
+    for (std::size_t i = 0; i < view.board.size(); i += 1 + view.board.size() / kEnough) {
+      thin.board.push_back(view.board[i]);
+      thin.pixels.push_back(view.pixels[i]);
+    }
+    few.views.push_back(std::move(thin));
+  }
+  return few;
 }
 
 RadialPoses radialPoses(const BoardViews &views, const Eigen::Vector2d &centre)
@@ -328,13 +344,14 @@ std::vector<RadialStart> radialStarts(const BoardViews &views, const Eigen::Vect
                                       int count)
 {
   const RadialPoses poses = radialPoses(views, centre);
+  const BoardViews few = thinned(views);
   std::vector<RadialStart> starts;
   for (const double xi : {0.0, 0.5, 0.8, 1.0, 1.3, 2.0}) {
     std::optional<RadialStart> best;
     const double largest = 3.0 * std::max(views.width, views.height);
     constexpr double kRatio = 1.2;
     for (double f = 0.02 * std::min(views.width, views.height); f < largest; f *= kRatio) {
-      const auto start = startOf(views, poses, xi, f, centre);
+      const auto start = startOf(few, poses, xi, f, centre);
       if (start && (!best || start->error < best->error)) {
         best = start;
       }

@@ -75,6 +75,7 @@ RobustFit fitRobustly(const std::vector<BoardView> &views, const BundleState &st
   RobustFit fit;
   BundleOptions options;
   options.estimated = estimated;
+  options.still = 1e-7;
   BundleState state = start;
   options.scale = robustScale(views, all, state);
   for (int round = 0; round < kRounds; ++round) {
@@ -88,6 +89,7 @@ RobustFit fitRobustly(const std::vector<BoardView> &views, const BundleState &st
     }
   }
   options.loss = Loss::Squares;
+  options.still = BundleOptions().still;
   fit.inliers = within(views, state, kFiveScales * options.scale);
   const auto free = static_cast<double>(std::count(estimated.begin(), estimated.end(), true)) +
                     6.0 * static_cast<double>(views.size());

@@ -34,8 +34,9 @@ BundleResult followed(const BoardViews &views, BundleState state)
   BundleOptions options;
   options.estimated = freeParameters(*state.model, false);
   options.loss = Loss::Huber;
+  options.still = 1e-7;
   BundleResult result;
-  for (const int iterations : {15, 15, 100}) {
+  for (const int iterations : {15, 15, 50}) {
     options.scale = robustScale(views.views, all, state);
     options.iterations = iterations;
     result = adjustBundle(views.views, all, state, options);

@@ -37,6 +37,7 @@ struct BundleOptions
   Loss loss = Loss::Squares;
   double scale = 1.0; ///< pixels
   int iterations = 100;
+  double still = 1e-12;   ///< it rests when a step promises less than this share of the cost
   bool holdPoses = false; ///< only the camera is adjusted
 };
 
