@@ -62,6 +62,9 @@ Markers findMarkers(const cv::Mat1b &picture, const Target &target, std::size_t 
   look(enlarged(picture, 1.0));
   for (const PatchAim &aim : aimsRound(radians(70.0))) {
     constexpr double kScale = 1.6; // small markers, too
+    if (std::max(found[0].size(), found[1].size()) == count) {
+      break;
+    }
     look(straightened(picture, camera, aim, kScale));
   }
   return found[0].size() >= found[1].size() ? found[0] : found[1];

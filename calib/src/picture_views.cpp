@@ -12,6 +12,41 @@
 namespace homeward
 {
 
+namespace
+{
+
+/** A map for cv::remap(), exact every few pixels and bilinear between. */
+cv::Mat2f smoothMap(int side,
+                    const std::function<Eigen::Vector2d(const Eigen::Vector2d &)> &toPicture)
+{
+  constexpr int kStep = 8;
+  const int nodes = side / kStep + 2;
+  cv::Mat2f coarse(nodes, nodes);
+  for (int row = 0; row < nodes; ++row) {
+    for (int column = 0; column < nodes; ++column) {
+      const Eigen::Vector2f pixel =
+          toPicture({static_cast<double>(column * kStep), static_cast<double>(row * kStep)})
+              .cast<float>();
+      coarse(row, column) = {pixel.x(), pixel.y()};
+    }
+  }
+  cv::Mat2f map(side, side);
+  for (int row = 0; row < side; ++row) {
+    const cv::Vec2f *above = coarse[row / kStep];
+    const cv::Vec2f *below = coarse[row / kStep + 1];
+    const float down = static_cast<float>(row % kStep) / kStep;
+    for (int column = 0; column < side; ++column) {
+      const int k = column / kStep;
+      const float right = static_cast<float>(column % kStep) / kStep;
+      map(row, column) = (1.0F - down) * ((1.0F - right) * above[k] + right * above[k + 1]) +
+                         down * ((1.0F - right) * below[k] + right * below[k + 1]);
+    }
+  }
+  return map;
+}
+
+} // namespace
+
 PictureView enlarged(const cv::Mat1b &picture, double factor)
 {
   if (factor == 1.0) {
@@ -68,13 +103,7 @@ PictureView straightened(const cv::Mat1b &picture, const UnifiedCamera &camera, 
         cRv * Eigen::Vector3d((pixel.x() - half) / focal, (pixel.y() - half) / focal, 1.0);
     return camera.project(ray).value_or(Eigen::Vector2d(-1.0, -1.0));
   };
-  cv::Mat2f map(side, side);
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) {
-      const Eigen::Vector2f pixel = toPicture({column, row}).cast<float>();
-      map(row, column) = {pixel.x(), pixel.y()};
-    }
-  }
+  const cv::Mat2f map = smoothMap(side, toPicture);
   cv::Mat1b image;
   cv::remap(picture, image, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return {image, toPicture};

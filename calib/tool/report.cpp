@@ -20,10 +20,10 @@ body{font:15px/1.45 system-ui,sans-serif;margin:2em auto;max-width:1360px;paddin
 h1{font-size:1.5em}h2{font-size:1.15em;margin:1.6em 0 .4em}
 table{border-collapse:collapse}td,th{padding:.2em .9em .2em 0;text-align:right;vertical-align:top}
 td:first-child,th:first-child{text-align:left}th{border-bottom:1px solid #999}
-.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(420px,1fr));gap:1.6em}
+.charts{display:grid;grid-template-columns:repeat(auto-fit,minmax(540px,1fr));gap:1.6em}
 .views{display:grid;grid-template-columns:repeat(auto-fill,minmax(300px,1fr));gap:1em}
 figure{margin:0}figcaption{overflow-wrap:anywhere;color:#444;font-size:.9em}
-svg,img{width:100%;height:auto;display:block}svg text{font:14px system-ui,sans-serif;fill:#222}
+svg,img{width:100%;height:auto;display:block}svg text{font:16px system-ui,sans-serif;fill:#222}
 .warning{border-left:4px solid #D55E00;padding:.3em .8em;margin:.4em 0;background:#fdf1e9}
 .numbers{display:flex;flex-wrap:wrap;gap:3em}
 </style>)";
