@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "board_picture.h"
+#include "test_paths.h"
 
 #include <homeward/calib/board_detector.h>
 #include <homeward/core/error.h>
@@ -160,6 +161,17 @@ TEST(Detection, doesNotDependOnTheNumberOfThreads)
     ASSERT_TRUE(one[i]);
     EXPECT_EQ(one[i]->pixels, three[i]->pixels);
   }
+}
+
+// A sheet that somebody holds beside a real mirror, its top bulging.
+TEST(Detection, findsTheBoardInTheRealPicture)
+{
+  HOMEWARD_NEEDS_OUTSIDE_DATA("mirror/example.jpg");
+  const cv::Mat picture =
+      cv::imread((outsideDataDir() / "mirror/example.jpg").string(), cv::IMREAD_GRAYSCALE);
+  const auto view = findBoard(picture, Target{}, findMirror(picture));
+  ASSERT_TRUE(view);
+  EXPECT_EQ(view->ids.size(), 54U);
 }
 
 TEST(Detection, refusesColour)
