@@ -122,10 +122,39 @@ public:
         view.pixels.push_back(*pixel);
       }
     }
-    return view;
+    return withoutStrays(view);
   }
 
 private:
+  /** Leaves out corners that do not lie where those round them say, or that none stand by. */
+  BoardView withoutStrays(const BoardView &view) const
+  {
+    BoardView kept;
+    for (std::size_t i = 0; i < view.ids.size(); ++i) {
+      const Eigen::Vector2d point = view.board[i].head<2>();
+      std::vector<BoardPixel> others;
+      for (std::size_t k = 0; k < view.ids.size(); ++k) {
+        const Eigen::Vector2d other = view.board[k].head<2>();
+        if (k != i && (other - point).norm() < 2.3 * m_target.pitch) {
+          others.push_back({other, view.pixels[k]});
+        }
+      }
+      const auto map = BoardMap::fit(m_camera, others);
+      if (!map) {
+        continue;
+      }
+      const Eigen::Vector2d expected = map->toPicture(point);
+      const double pitch =
+          (map->toPicture(point + Eigen::Vector2d(m_target.pitch, 0.0)) - expected).norm();
+      if ((view.pixels[i] - expected).norm() < 0.7 + 0.05 * pitch) {
+        kept.ids.push_back(view.ids[i]);
+        kept.board.push_back(view.board[i]);
+        kept.pixels.push_back(view.pixels[i]);
+      }
+    }
+    return kept;
+  }
+
   std::vector<BoardPixel> correspondences(const std::vector<int> &ids) const
   {
     std::vector<BoardPixel> points;
