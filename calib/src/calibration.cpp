@@ -183,6 +183,7 @@ void describeViews(const BoardViews &views, const RobustFit &fit, const Calibrat
   double all = 0.0;
   double believed = 0.0;
   double heldout = 0.0;
+  double heldoutPoints = 0.0;
   double points = 0.0;
   double inliers = 0.0;
   for (std::size_t v = 0; v < views.views.size(); ++v) {
@@ -203,15 +204,19 @@ void describeViews(const BoardViews &views, const RobustFit &fit, const Calibrat
     inliers += inside;
     result.outliers += outliers;
     if (options.crossValidate) {
-      view.heldoutRms = leftOut(views, fit, v, result.estimated);
-      heldout += *view.heldoutRms * *view.heldoutRms * inside;
+      const double alone = leftOut(views, fit, v, result.estimated);
+      if (std::isfinite(alone)) {
+        view.heldoutRms = alone;
+        heldout += alone * alone * inside;
+        heldoutPoints += inside;
+      }
     }
     result.views.push_back(std::move(view));
   }
   result.rms = std::sqrt(all / points);
   result.robustRms = std::sqrt(believed / std::max(inliers, 1.0));
-  if (options.crossValidate) {
-    result.heldoutRms = std::sqrt(heldout / std::max(inliers, 1.0));
+  if (heldoutPoints > 0.0) {
+    result.heldoutRms = std::sqrt(heldout / heldoutPoints);
   }
 }
 
@@ -241,6 +246,9 @@ Calibration calibrated(const BoardViews &given, const CameraModel *start,
   describeViews(seen, best.fit, options, result);
   result.mirrored = best.mirrored;
   addFindings(views, usable.solid, result);
+  if (options.crossValidate) {
+    addLonelyViews(views, result);
+  }
   // Views without a say stand in the list too, empty-handed.
   for (const std::size_t v : usable.leftOut) {
     CalibratedView view;

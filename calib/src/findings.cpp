@@ -286,4 +286,20 @@ void addFindings(const BoardViews &views, bool solid, Calibration &calibration)
   addMirror(calibration);
 }
 
+void addLonelyViews(const BoardViews &views, Calibration &calibration)
+{
+  constexpr double kFarOff = 3.0;
+  for (std::size_t v = 0; v < views.views.size(); ++v) {
+    const CalibratedView &view = calibration.views[v];
+    if (!view.heldoutRms || *view.heldoutRms > kFarOff * calibration.robustRms) {
+      calibration.warnings.push_back("the camera rests on " + nameOf(views.views[v], v) +
+                                     " alone where that view lies: left out, it is " +
+                                     (view.heldoutRms
+                                          ? "off by " + rounded(*view.heldoutRms, 1) + " pixels"
+                                          : std::string("not to be seen at all")) +
+                                     "; take more views there");
+    }
+  }
+}
+
 } // namespace homeward

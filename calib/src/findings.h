@@ -35,4 +35,7 @@ void refuseImpossible(const BoardViews &views, const RobustFit &fit);
 /** Adds handedness, eccentricity and the warnings about what the views leave open. */
 void addFindings(const BoardViews &views, bool solid, Calibration &calibration);
 
+/** Warns of views that the camera does not predict when they are left out. */
+void addLonelyViews(const BoardViews &views, Calibration &calibration);
+
 } // namespace homeward

@@ -46,6 +46,7 @@ public:
                         ", which is no length");
     }
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < static_cast<int>(count); ++i) {
       values.push_back(next(what));
     }

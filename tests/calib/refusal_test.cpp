@@ -204,6 +204,29 @@ TEST(Warnings, SayWhereNoViewIs)
   EXPECT_EQ(warnings(calibrate(someViews(15))), "");
 }
 
+// Three views lie low and one high: without that one nothing is known up there.
+TEST(Warnings, NameTheViewThatStandsAlone)
+{
+  UnifiedCamera::Parameters p = mirror(0.8).camera().parameters();
+  p.k1 = -0.05;
+  p.k2 = 0.01;
+  const UnifiedModel bent(UnifiedCamera(p, 1280, 960));
+  ViewPlan plan;
+  plan.views = 4;
+  plan.noise = 0.4;
+  plan.lowest = -60;
+  plan.highest = -40;
+  BoardViews views = takeViews(bent, plan, 3);
+  plan.views = 1;
+  plan.lowest = 25;
+  plan.highest = 30;
+  views.views.push_back(takeViews(bent, plan, 4).views.front());
+  views.views.back().name = "high.png";
+  const Calibration found = calibrate(views);
+  EXPECT_THAT(warnings(found), HasSubstr("rests on high.png alone"));
+  EXPECT_TRUE(std::isfinite(*found.heldoutRms));
+}
+
 // e = (1 + sqrt(1 - xi^2)) / xi of a hyperbola: xi 0.8 is e 2, xi 1 a parabola.
 TEST(Warnings, XiIsThatOfAMirror)
 {

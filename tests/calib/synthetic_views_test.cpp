@@ -177,11 +177,10 @@ TEST(SyntheticViews, SigmasAreWhatRepetitionShows)
   const UnifiedModel truth = mirror(0.95);
   constexpr int kRuns = 30;
   double sum = 0.0;
-  for (int run = 0; run < kRuns; ++run) {
+  for (std::uint64_t run = 0; run < kRuns; ++run) {
     CalibrationOptions options;
     options.crossValidate = false;
-    const auto seed = static_cast<std::uint64_t>(100 + run);
-    const Calibration found = calibrate(takeViews(truth, closePlan(8), seed), options);
+    const Calibration found = calibrate(takeViews(truth, closePlan(8), 100 + run), options);
     const Eigen::VectorXd off = (found.model->parameters() - truth.parameters()).head<5>();
     const Eigen::MatrixXd covariance = found.covariance.topLeftCorner<5, 5>();
     sum += off.dot(covariance.inverse() * off);

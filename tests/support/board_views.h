@@ -84,8 +84,9 @@ inline BoardViews takeViews(const CameraModel &camera, const ViewPlan &plan, std
     BoardView view;
     view.name = "synthetic " + std::to_string(taken.views.size());
     for (int i = 0; i < plan.columns * plan.rows; ++i) {
-      Eigen::Vector3d point(i % plan.columns * plan.pitch, i / plan.columns * plan.pitch, 0.0);
-      point.z() = plan.bend * ((i / plan.columns) % 2);
+      const int row = i / plan.columns;
+      const int column = i % plan.columns;
+      const Eigen::Vector3d point(column * plan.pitch, row * plan.pitch, plan.bend * (row % 2));
       const Eigen::Vector3d inScene = distance * away + R * (point - half);
       // Frame c: z down. A lens looking down has y turned too; a mirror's picture has not.
       const Eigen::Vector3d cX(inScene.x(), plan.leftHanded ? inScene.y() : -inScene.y(),

@@ -54,7 +54,7 @@ std::optional<Eigen::Vector2d> UnifiedModel::project(const Eigen::Vector3d &cX,
     return m_camera.project(cX, J_point);
   }
   UnifiedCamera::ParameterJacobian J_fixed;
-  const auto pixel = m_camera.project(cX, J_point, &J_fixed);
+  auto pixel = m_camera.project(cX, J_point, &J_fixed);
   if (pixel) {
     *J_parameters = J_fixed;
   }

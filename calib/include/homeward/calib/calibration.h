@@ -31,7 +31,8 @@ struct CalibratedView
   std::vector<Eigen::Vector2d> residuals; ///< seen minus predicted, pixels, one a point
   std::vector<bool> outliers;             ///< points the robust estimate does not believe
   double rms = 0.0;                       ///< pixels, per point, outliers left out
-  std::optional<double> heldoutRms;       ///< pixels, when this view was left out
+  /** Pixels, when this view was left out; nothing where the camera then does not see it. */
+  std::optional<double> heldoutRms;
 };
 
 /** What calibrate() found. */
