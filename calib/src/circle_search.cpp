@@ -40,8 +40,9 @@ RayEdges edgesAlong(const cv::Mat1b &picture, const Eigen::Vector2d &from, doubl
   const auto size = static_cast<int>(profile.size());
   std::vector<float> step(profile.size(), 0.0F);
   for (int r = gap; r + gap < size; ++r) {
-    step[static_cast<std::size_t>(r)] = std::abs(profile[static_cast<std::size_t>(r + gap)] -
-                                                 profile[static_cast<std::size_t>(r - gap)]);
+    step[static_cast<std::size_t>(r)] =
+        std::abs(profile[static_cast<std::size_t>(r) + static_cast<std::size_t>(gap)] -
+                 profile[static_cast<std::size_t>(r) - static_cast<std::size_t>(gap)]);
   }
   std::vector<std::pair<float, double>> peaks;
   for (int r = gap; r + gap < size; ++r) {
@@ -49,7 +50,8 @@ RayEdges edgesAlong(const cv::Mat1b &picture, const Eigen::Vector2d &from, doubl
     const float here = step[static_cast<std::size_t>(r)];
     if (here >= kLeastStep && here >= *std::max_element(begin, begin + 2 * gap + 1)) {
       int plateau = 0; // whole pixels round to equal steps: take the middle
-      while (r + plateau + 1 < size && step[static_cast<std::size_t>(r + plateau + 1)] == here) {
+      while (r + plateau + 1 < size &&
+             step[static_cast<std::size_t>(r) + static_cast<std::size_t>(plateau) + 1] == here) {
         ++plateau;
       }
       peaks.emplace_back(-here, r + plateau / 2.0);
@@ -149,6 +151,7 @@ std::vector<SupportedCircle> searchCircles(const cv::Mat1b &smooth)
   const Eigen::Vector2d middle((smooth.cols - 1) / 2.0, (smooth.rows - 1) / 2.0);
   const double unit = 0.006 * std::min(smooth.cols, smooth.rows); // of votes, pixels
   std::vector<RayEdges> rays;
+  rays.reserve(kRays);
   for (int i = 0; i < kRays; ++i) {
     rays.push_back(edgesAlong(smooth, middle, 2.0 * kPi * i / kRays, 0.5 * unit));
   }
