@@ -2,6 +2,7 @@
 #include "test_paths.h"
 
 #include <homeward/camera/camera_file.h>
+#include <homeward/camera/camera_model_file.h>
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 
@@ -36,16 +37,28 @@ TEST(CameraFile, EveryShippedFileIsRead)
 TEST(CameraFile, ReadsWhatItWrites)
 {
   const MirrorCamera camera{
-      UnifiedCamera({0.9, 108.1, 107.9, 320.2, 241, 0.1, -0.02, 1e-3, 2e-3}, 640, 480),
+      UnifiedCamera({0.9, 108.1, 107.9, 320.2, 241, 0.1, -0.02, 1e-3, 2e-3, 0.3}, 640, 480),
       {31.5, 230.25},
       {-1.5, false}};
   const MirrorCamera back = parseMirrorCamera(formatMirrorCamera(camera), "test");
   EXPECT_EQ(back.model.parameters().xi, 0.9);
   EXPECT_EQ(back.model.parameters().p2, 2e-3);
+  EXPECT_EQ(back.model.parameters().skew, 0.3);
   EXPECT_EQ(back.model.width(), 640);
   EXPECT_EQ(back.ring.outer, 230.25);
   EXPECT_NEAR(back.mount.forward, -1.5, 1e-12);
   EXPECT_FALSE(back.mount.leftIsClockwise);
+}
+
+// A camera file says its model to who needs no more.
+TEST(CameraFile, IsReadAsAModelToo)
+{
+  const std::string yaml = text(dataDir() / "cameras/sim_nominal.yaml");
+  const auto model = parseCameraModel(yaml, "sim_nominal.yaml");
+  const MirrorCamera camera = parseMirrorCamera(yaml, "sim_nominal.yaml");
+  const Eigen::Vector3d ray(0.3, -0.8, 0.2);
+  EXPECT_EQ(*model->project(ray), *camera.model.project(ray));
+  EXPECT_THROW(parseCameraModel("model: ocam\nparameters: {a0: 1}\n", "x"), ConfigError);
 }
 
 // The shipped fit against the polynomial it was fitted to: elevation = atan2(f(r), r).

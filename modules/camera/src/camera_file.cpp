@@ -1,102 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/camera/camera_file.h>
 
+#include "yaml_section.h"
+
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace homeward
 {
 namespace
 {
 
-/** One mapping of the file, read key by key and refused by name. */
-class Section
-{
-public:
-  Section(const YAML::Node &node, std::string name, std::string origin,
-          const std::vector<std::string> &known)
-      : m_node(node), m_name(std::move(name)), m_origin(std::move(origin))
-  {
-    if (!m_node.IsMap()) {
-      throw ConfigError(m_origin + ": " + m_name + " is missing or no mapping");
-    }
-    std::set<std::string> seen;
-    for (const auto &entry : m_node) {
-      const auto key = entry.first.as<std::string>();
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        throw ConfigError(m_origin + ": unknown key '" + key + "' in " + m_name);
-      }
-      if (!seen.insert(key).second) {
-        throw ConfigError(m_origin + ": '" + key + "' stands twice in " + m_name);
-      }
-    }
-  }
-
-  double number(const std::string &key) const
-  {
-    const YAML::Node value = m_node[key];
-    double number = 0.0;
-    if (!value || !value.IsScalar() || !YAML::convert<double>::decode(value, number) ||
-        !std::isfinite(number)) {
-      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be a number" + found(value));
-    }
-    return number;
-  }
-
-  double numberOr(const std::string &key, double fallback) const
-  {
-    return m_node[key] ? number(key) : fallback;
-  }
-
-  bool flag(const std::string &key) const
-  {
-    const YAML::Node value = m_node[key];
-    bool flag = false;
-    if (!value || !value.IsScalar() || !YAML::convert<bool>::decode(value, flag)) {
-      throw ConfigError(m_origin + ": " + m_name + "." + key + " must be true or false" +
-                        found(value));
-    }
-    return flag;
-  }
-
-private:
-  /** What stands there instead, for messages. */
-  static std::string found(const YAML::Node &value)
-  {
-    if (!value) {
-      return ", and is missing";
-    }
-    return value.IsScalar() ? ", not '" + value.Scalar() + "'" : ", and is none";
-  }
-
-  YAML::Node m_node;
-  std::string m_name;
-  std::string m_origin;
-};
-
-int pixels(const Section &image, const std::string &key, const std::string &origin)
-{
-  const double value = image.number(key);
-  if (value < 1.0 || value > 65536.0 || value != std::floor(value)) {
-    throw ConfigError(origin + ": image." + key + " must be a whole number of pixels, not " +
-                      std::to_string(value));
-  }
-  return static_cast<int>(value);
-}
-
 UnifiedCamera::Parameters parametersOf(const YAML::Node &root, const std::string &origin)
 {
   const Section section(root["parameters"], "parameters", origin,
-                        {"xi", "fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"});
+                        {"xi", "fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "skew"});
   UnifiedCamera::Parameters p;
   p.xi = section.number("xi");
   p.fx = section.number("fx");
@@ -107,6 +30,7 @@ UnifiedCamera::Parameters parametersOf(const YAML::Node &root, const std::string
   p.k2 = section.numberOr("k2", 0.0);
   p.p1 = section.numberOr("p1", 0.0);
   p.p2 = section.numberOr("p2", 0.0);
+  p.skew = section.numberOr("skew", 0.0);
   return p;
 }
 
@@ -116,7 +40,7 @@ MirrorCamera cameraOf(const YAML::Node &root, const std::string &origin)
                     {"model", "image", "parameters", "mirror", "mount"});
   const YAML::Node model = root["model"];
   if (!model || !model.IsScalar() || model.Scalar() != "unified") {
-    throw ConfigError(origin + ": model must be 'unified'" +
+    throw ConfigError(origin + ": model of a mirror on a robot must be 'unified'" +
                       (model && model.IsScalar() ? ", not '" + model.Scalar() + "'" : ""));
   }
   const Section image(root["image"], "image", origin, {"width", "height"});
@@ -161,9 +85,9 @@ std::string formatMirrorCamera(const MirrorCamera &camera)
       << YAML::Value << camera.model.width() << YAML::Key << "height" << YAML::Value
       << camera.model.height() << YAML::EndMap;
   out << YAML::Key << "parameters" << YAML::Value << YAML::BeginMap;
-  const std::pair<const char *, double> values[] = {{"xi", p.xi}, {"fx", p.fx}, {"fy", p.fy},
-                                                    {"cx", p.cx}, {"cy", p.cy}, {"k1", p.k1},
-                                                    {"k2", p.k2}, {"p1", p.p1}, {"p2", p.p2}};
+  const std::pair<const char *, double> values[] = {
+      {"xi", p.xi}, {"fx", p.fx}, {"fy", p.fy}, {"cx", p.cx}, {"cy", p.cy},
+      {"k1", p.k1}, {"k2", p.k2}, {"p1", p.p1}, {"p2", p.p2}, {"skew", p.skew}};
   for (const auto &[key, value] : values) {
     out << YAML::Key << key << YAML::Value << value;
   }

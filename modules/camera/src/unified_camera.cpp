@@ -74,7 +74,7 @@ UnifiedCamera::UnifiedCamera(const Parameters &parameters, int width, int height
       m_largestRadius(growingRadius(parameters))
 {
   const Parameters &p = parameters;
-  const double sum = p.xi + p.fx + p.fy + p.cx + p.cy + p.k1 + p.k2 + p.p1 + p.p2;
+  const double sum = p.xi + p.fx + p.fy + p.cx + p.cy + p.k1 + p.k2 + p.p1 + p.p2 + p.skew;
   if (!std::isfinite(sum) || !(p.fx > 0.0) || !(p.fy > 0.0) || !(p.xi >= 0.0) || width <= 0 ||
       height <= 0) {
     throw LogicError("camera parameters out of range: xi " + std::to_string(p.xi) + ", fx " +
@@ -99,36 +99,37 @@ std::optional<Eigen::Vector2d> UnifiedCamera::project(const Eigen::Vector3d &cX,
     return std::nullopt;
   }
   const Distorted distorted = distort(p, m);
-  const Eigen::Vector2d f(p.fx, p.fy);
+  Eigen::Matrix2d K;
+  K << p.fx, p.skew, 0.0, p.fy;
   if (J_point != nullptr) {
     const Eigen::RowVector3d dDepth = Eigen::RowVector3d::UnitZ() + p.xi * cX.transpose() / norm;
     PointJacobian J_m = -m * dDepth;
     J_m.leftCols<2>() += Eigen::Matrix2d::Identity();
-    *J_point = f.asDiagonal() * distorted.J_m * J_m / depth;
+    *J_point = K * distorted.J_m * J_m / depth;
   }
   if (J_parameters != nullptr) {
     const double r2 = m.squaredNorm();
     const Eigen::Vector2d dXi = -m * (norm / depth);
     J_parameters->setZero();
-    J_parameters->col(0) = f.asDiagonal() * distorted.J_m * dXi;
+    J_parameters->col(0) = K * distorted.J_m * dXi;
     (*J_parameters)(0, 1) = distorted.d.x();
     (*J_parameters)(1, 2) = distorted.d.y();
     (*J_parameters)(0, 3) = 1.0;
     (*J_parameters)(1, 4) = 1.0;
-    J_parameters->col(5) = f.asDiagonal() * m * r2;
-    J_parameters->col(6) = f.asDiagonal() * m * (r2 * r2);
-    J_parameters->col(7) =
-        f.asDiagonal() * Eigen::Vector2d(2.0 * m.x() * m.y(), r2 + 2.0 * m.y() * m.y());
-    J_parameters->col(8) =
-        f.asDiagonal() * Eigen::Vector2d(r2 + 2.0 * m.x() * m.x(), 2.0 * m.x() * m.y());
+    J_parameters->col(5) = K * m * r2;
+    J_parameters->col(6) = K * m * (r2 * r2);
+    J_parameters->col(7) = K * Eigen::Vector2d(2.0 * m.x() * m.y(), r2 + 2.0 * m.y() * m.y());
+    J_parameters->col(8) = K * Eigen::Vector2d(r2 + 2.0 * m.x() * m.x(), 2.0 * m.x() * m.y());
+    (*J_parameters)(0, 9) = distorted.d.y();
   }
-  return Eigen::Vector2d(f.cwiseProduct(distorted.d) + Eigen::Vector2d(p.cx, p.cy));
+  return Eigen::Vector2d(K * distorted.d + Eigen::Vector2d(p.cx, p.cy));
 }
 
 std::optional<Eigen::Vector3d> UnifiedCamera::unproject(const Eigen::Vector2d &pixel) const
 {
   const Parameters &p = m_parameters;
-  const Eigen::Vector2d d((pixel.x() - p.cx) / p.fx, (pixel.y() - p.cy) / p.fy);
+  const double dy = (pixel.y() - p.cy) / p.fy;
+  const Eigen::Vector2d d((pixel.x() - p.cx - p.skew * dy) / p.fx, dy);
   constexpr int kIterations = 50;
   const double converged = 1e-14 * (1.0 + d.norm());
   const double accepted = 1e-10 * (1.0 + d.norm());

@@ -17,8 +17,9 @@ namespace homeward
  * left-handed, which CameraMount knows of. With X on the unit sphere:
  *
  *     m = (X.x, X.y) / (X.z + xi)
- *     d = m (1 + k1 r^2 + k2 r^4) + (2 p1 mx my + p2 (r^2 + 2 mx^2), p1 (r^2 + 2 my^2) + 2 p2 mx
- * my),  r = |m| u = fx d.x + cx,  v = fy d.y + cy
+ *     d = m (1 + k1 r^2 + k2 r^4)
+ *         + (2 p1 mx my + p2 (r^2 + 2 mx^2), p1 (r^2 + 2 my^2) + 2 p2 mx my),  r = |m|
+ *     u = fx d.x + skew d.y + cx,  v = fy d.y + cy
  *
  * Valid domain: z > -xi |X| for xi <= 1, z > -|X| / xi for xi > 1, and r within the range where the
  * radial polynomial grows. \cite Mei2007, eq. (1) to (5); \cite Barreto2001
@@ -38,9 +39,10 @@ public:
     double k2 = 0.0;
     double p1 = 0.0;
     double p2 = 0.0;
+    double skew = 0.0; ///< pixels
   };
 
-  static constexpr int kParameterCount = 9;
+  static constexpr int kParameterCount = 10;
 
   using PointJacobian = Eigen::Matrix<double, 2, 3>;
   using ParameterJacobian = Eigen::Matrix<double, 2, kParameterCount>;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/core/pose2.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace homeward
+{
+
+/** A landmark seen from one place. */
+struct LandmarkBearing
+{
+  int landmark = 0;     ///< the same number wherever the same thing is seen
+  double bearing = 0.0; ///< in frame p, counter-clockwise from its x, radians
+};
+
+/** What odometry and camera say at one time of a drive. */
+struct MountSample
+{
+  Pose2 oMr;
+  std::vector<LandmarkBearing> bearings;
+};
+
+/** Where the camera sits on the robot, in the plane. */
+struct MountEstimate
+{
+  Pose2 rMp;
+  Eigen::Matrix3d covariance; ///< of x, y (metres) and heading (radians) of rMp
+  double rms = 0.0;           ///< of the bearings, radians
+  int landmarks = 0;
+};
+
+/**
+ * Yaw and offset of the camera from a short drive: a turn on the spot shows the offset, a straight
+ * line the yaw. Landmarks may stand anywhere, nobody needs to know where; they are estimated along,
+ * least squares on the bearings with Huber's weights. Odometry is believed, and gives the scale.
+ * @throw ConfigError with what to drive when less than a quarter turn or 0.5 m was driven, or fewer
+ * than three landmarks were seen from three places each
+ */
+MountEstimate calibrateMount(const std::vector<MountSample> &drive);
+
+} // namespace homeward

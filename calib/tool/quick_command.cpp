@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+#include "files.h"
+#include "mount_options.h"
+#include "pictures.h"
+
+#include <homeward/calib/quick_calibration.h>
+#include <homeward/camera/unwarper.h>
+#include <homeward/core/angle.h>
+#include <homeward/core/error.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace homeward
+{
+namespace
+{
+
+struct QuickOptions
+{
+  std::vector<std::string> pictures;
+  std::string output = "camera.yaml";
+  std::string panorama;
+  MountOptions mount;
+  double xi = std::nan("");
+  double rimDegrees = std::nan("");
+  std::string json;
+};
+
+std::optional<double> given(double value)
+{
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+nlohmann::json summaryOf(const QuickCalibration &quick, std::size_t pictures)
+{
+  nlohmann::json json = jsonHeader("quick");
+  const UnifiedCamera::Parameters &p = quick.camera.parameters();
+  json["model"] = "unified";
+  const std::pair<const char *, double> values[] = {
+      {"xi", p.xi}, {"fx", p.fx}, {"fy", p.fy}, {"cx", p.cx}, {"cy", p.cy}};
+  for (const auto &[name, value] : values) {
+    json["parameters"][name] = {{"value", value}, {"sigma", nullptr}};
+  }
+  json["views"] = pictures;
+  json["lines"] = quick.lines;
+  json["line_bend_px"] = quick.bendPx;
+  json["assumed"] = quick.assumed;
+  json["warnings"] = quick.warnings;
+  json["seed"] = 0;
+  return json;
+}
+
+void writePanorama(const std::string &file, const MirrorCamera &camera, const cv::Mat &picture)
+{
+  const Unwarper unwarper(camera, wholePanorama(camera));
+  if (!cv::imwrite(file, unwarper.unwarp(picture).image)) {
+    throw RuntimeError("cannot write " + file + "; is it named .png or .jpg?");
+  }
+}
+
+void calibrateQuickly(const QuickOptions &options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const Pictures pictures = readPictures(options.pictures);
+  MirrorSheet sheet{given(options.xi), given(options.rimDegrees)};
+  if (sheet.rimElevation) {
+    sheet.rimElevation = radians(*sheet.rimElevation);
+  }
+  const QuickCalibration quick = calibrateFromScene(pictures.images, sheet);
+  const MirrorCamera camera{quick.camera, ringOf(quick.mirror, quick.camera),
+                            options.mount.mount()};
+  writeText(options.output, formatMirrorCamera(camera));
+  if (!options.panorama.empty()) {
+    writePanorama(options.panorama, camera, pictures.images.front());
+  }
+  nlohmann::json json = summaryOf(quick, pictures.images.size());
+  json["camera"] = options.output;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  json["wall_time_s"] = spent.count();
+  writeJson(options.json, json);
+  if (options.json != "-" && options.output != "-") {
+    std::printf("%d straight edges, bent by %.2f px rms; wrote %s\n", quick.lines, quick.bendPx,
+                options.output.c_str());
+    for (const std::string &assumed : quick.assumed) {
+      std::printf("assumed: %s\n", assumed.c_str());
+    }
+  }
+  for (const std::string &warning : quick.warnings) {
+    std::fprintf(stderr, "homeward-calibrate: %s\n", warning.c_str());
+  }
+}
+
+} // namespace
+
+void addQuickCommand(CLI::App &app, int &status)
+{
+  auto options = std::make_shared<QuickOptions>();
+  CLI::App *command =
+      app.add_subcommand("quick", "Calibrate without a target, from pictures of a room");
+  command->footer("Example: homeward-calibrate quick room.jpg -o camera.yaml --panorama room.png");
+  command->add_option("pictures", options->pictures, "Pictures, folders or patterns")->required();
+  command->add_option("-o,--output", options->output, "Camera file to write (YAML)")
+      ->capture_default_str();
+  command->add_option("--panorama", options->panorama, "Unwrapped first picture to write");
+  command->add_option("--xi", options->xi, "xi of the mirror, from its data sheet")
+      ->check(CLI::Range(0.3, 3.0));
+  command
+      ->add_option("--rim-elevation", options->rimDegrees,
+                   "What the rim shows above the horizon, degrees, from its data sheet")
+      ->check(CLI::Range(-60.0, 60.0));
+  addMountOptions(*command, options->mount);
+  command->add_option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command->callback([options, &status] {
+    calibrateQuickly(*options);
+    status = kExitDone;
+  });
+}
+
+} // namespace homeward
