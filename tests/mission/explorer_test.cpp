@@ -153,8 +153,7 @@ struct Row
       map.apply(NodeAdded{{NodeId{i}, {}}});
     }
     for (int i = 0; i < 2; ++i) {
-      map.apply(EdgeAdded{{EdgeId{i}, NodeId{i}, NodeId{i + 1}, 0.0, kPi}});
-      state.lengths[EdgeId{i}] = 1.0;
+      map.apply(EdgeAdded{{EdgeId{i}, NodeId{i}, NodeId{i + 1}, 0.0, kPi, 1.0}});
     }
     state.phase = ExplorerState::Phase::Driving;
     state.origin = NodeId{2};

@@ -55,6 +55,33 @@ TEST_F(ExportTest, AVersion1FileIsStillRead)
   EXPECT_LE(cv::norm(file.panorama({2}).image, smallPanorama(2).image, cv::NORM_L1) / 256, 12.0);
 }
 
+TEST_F(ExportTest, AVersion1FileThatIsWrittenToBecomesOneOfToday)
+{
+  {
+    MapFile file = golden();
+    EXPECT_FALSE(file.map().edges().begin()->second.length);
+    file.append({.changes = {NodeAdded{{{3}, {}}}, EdgeAdded{{{2}, {3}, {0}, 0.1, 0.2, 1.9}}}});
+  }
+  const MapFile again = MapFile::open(path(), MapFile::Access::Read);
+  EXPECT_EQ(again.map().edges().size(), 3U);
+  EXPECT_EQ(again.map().edges().at({2}).length, 1.9);
+  EXPECT_FALSE(again.map().edges().at({0}).length);
+}
+
+TEST_F(ExportTest, AVersion1FileIsReadWithoutBeingTouched)
+{
+  golden().close();
+  sqlite3 *database = nullptr;
+  ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, "ALTER TABLE edge DROP COLUMN length_m; PRAGMA user_version = 1",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  EXPECT_EQ(sqlite3_close(database), SQLITE_OK);
+  const std::string before = contentsOf(path());
+  EXPECT_EQ(MapFile::open(path(), MapFile::Access::Read).map().edges().size(), 2U);
+  EXPECT_EQ(contentsOf(path()), before);
+}
+
 TEST_F(ExportTest, CanonicalTextIsTheGoldenOne)
 {
   const std::string text = contentsOf(goldenDir() / "store" / "map_v1.canonical");

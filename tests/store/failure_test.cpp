@@ -129,8 +129,8 @@ TEST_F(MapFailureTest, OtherFilesAreNoMapsAndStayAsTheyAre)
 TEST_F(MapFailureTest, NewerVersion)
 {
   writeMap();
-  meddle("PRAGMA user_version = 2");
-  EXPECT_THAT(openError(), HasSubstr("has version 2, this program reads up to 1"));
+  meddle("PRAGMA user_version = 3");
+  EXPECT_THAT(openError(), HasSubstr("has version 3, this program reads up to 2"));
 }
 
 TEST_F(MapFailureTest, DamagedPages)

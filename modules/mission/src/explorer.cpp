@@ -264,8 +264,8 @@ private:
   std::optional<Offset> offset(NodeId node) const
   {
     const ExplorerState &state = m_step.state;
-    const auto there = state.origin ? reckon(m_map, state.lengths, *state.origin, node)
-                                    : std::optional<Reckoned>{};
+    const auto there =
+        state.origin ? reckon(m_map, *state.origin, node) : std::optional<Reckoned>{};
     if (!there) {
       return std::nullopt;
     }
@@ -319,9 +319,8 @@ private:
     }
     settle(DirectionState::Driven, "led to node " + std::to_string(node.value));
     if (!m_map.edgeBetween(origin, node)) {
-      m_step.state.lengths[m_map.nextEdgeId()] = chord.distance;
-      change(EdgeAdded{
-          Edge{m_map.nextEdgeId(), origin, node, chord.bearingAtOrigin, chord.bearingAtHere}});
+      change(EdgeAdded{Edge{m_map.nextEdgeId(), origin, node, chord.bearingAtOrigin,
+                            chord.bearingAtHere, chord.distance}});
     }
     settleAlong(origin, chord.bearingAtOrigin, node);
     settleAlong(node, chord.bearingAtHere, origin);

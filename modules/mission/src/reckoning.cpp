@@ -8,12 +8,11 @@
 namespace homeward
 {
 
-std::optional<Reckoned> reckon(const TopologicalMap &map, const std::map<EdgeId, double> &lengths,
-                               NodeId from, NodeId to)
+std::optional<Reckoned> reckon(const TopologicalMap &map, NodeId from, NodeId to)
 {
   std::set<EdgeId> unknown;
   for (const auto &[id, edge] : map.edges()) {
-    if (!edge.bearingAtA || !edge.bearingAtB || lengths.count(id) == 0) {
+    if (!edge.bearingAtA || !edge.bearingAtB || !edge.length) {
       unknown.insert(id);
     }
   }
@@ -25,7 +24,7 @@ std::optional<Reckoned> reckon(const TopologicalMap &map, const std::map<EdgeId,
   for (std::size_t i = 1; i < path->size(); ++i) {
     const NodeId a = (*path)[i - 1];
     const NodeId b = (*path)[i];
-    const double length = lengths.at(map.edgeBetween(a, b)->id);
+    const double length = *map.edgeBetween(a, b)->length;
     const double out = *map.departureBearing(a, b);
     const double back = *map.departureBearing(b, a);
     reckoned.fromMto = reckoned.fromMto * Pose2{length * std::cos(out), length * std::sin(out),

@@ -4,7 +4,6 @@
 #include <homeward/core/pose2.h>
 #include <homeward/topology/map.h>
 
-#include <map>
 #include <optional>
 
 namespace homeward
@@ -18,11 +17,10 @@ struct Reckoned
 };
 
 /**
- * Chains the bearings and lengths of the edges on a path with the fewest edges.
- * @param lengths of the edges, metres; those without one are not used
+ * Chains the bearings and lengths of the edges on a path with the fewest edges; those that lack one
+ * are not used.
  * @return nothing when no such path exists
  */
-std::optional<Reckoned> reckon(const TopologicalMap &map, const std::map<EdgeId, double> &lengths,
-                               NodeId from, NodeId to);
+std::optional<Reckoned> reckon(const TopologicalMap &map, NodeId from, NodeId to);
 
 } // namespace homeward

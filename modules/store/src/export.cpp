@@ -110,7 +110,8 @@ nlohmann::ordered_json jsonOf(const Edge &edge)
           {"a", edge.a.value},
           {"b", edge.b.value},
           {"bearing_at_a_rad", jsonOf(edge.bearingAtA)},
-          {"bearing_at_b_rad", jsonOf(edge.bearingAtB)}};
+          {"bearing_at_b_rad", jsonOf(edge.bearingAtB)},
+          {"length_m", jsonOf(edge.length)}};
 }
 
 nlohmann::ordered_json jsonOf(const MapHeader &header)
@@ -127,7 +128,7 @@ nlohmann::ordered_json jsonOf(const MapHeader &header)
 
 std::string canonicalHeader(const MapHeader &header)
 {
-  std::string lines = "homeward map canonical 1\n";
+  std::string lines = "homeward map canonical 2\n";
   lines += "camera " + header.cameraHash + "\n";
   lines += "panorama " + text(header.panorama.width) + " " + text(header.panorama.height) + " " +
            fixedText(header.panorama.elevationMin) + " " + fixedText(header.panorama.elevationMax) +
@@ -154,7 +155,7 @@ std::string exportCanonical(const MapFile &file)
   }
   for (const auto &[id, edge] : file.map().edges()) {
     lines += "edge " + text(id.value) + " " + text(edge.a.value) + " " + text(edge.b.value) + " " +
-             text(edge.bearingAtA) + " " + text(edge.bearingAtB) + "\n";
+             text(edge.bearingAtA) + " " + text(edge.bearingAtB) + " " + text(edge.length) + "\n";
   }
   return lines;
 }
@@ -167,6 +168,7 @@ std::string exportGraphml(const TopologicalMap &map)
   <key id="directions" for="node" attr.name="directions_rad" attr.type="string"/>
   <key id="at_source" for="edge" attr.name="bearing_at_source_rad" attr.type="double"/>
   <key id="at_target" for="edge" attr.name="bearing_at_target_rad" attr.type="double"/>
+  <key id="length" for="edge" attr.name="length_m" attr.type="double"/>
   <graph id="map" edgedefault="undirected">
 )";
   for (const auto &[id, node] : map.nodes()) {
@@ -179,6 +181,7 @@ std::string exportGraphml(const TopologicalMap &map)
            "\" target=\"n" + text(edge.b.value) + "\">";
     xml += edge.bearingAtA ? xmlData("at_source", fixedText(*edge.bearingAtA)) : "";
     xml += edge.bearingAtB ? xmlData("at_target", fixedText(*edge.bearingAtB)) : "";
+    xml += edge.length ? xmlData("length", fixedText(*edge.length)) : "";
     xml += "</edge>\n";
   }
   return xml + "  </graph>\n</graphml>\n";

@@ -156,6 +156,7 @@ MapFile MapFile::open(const fs::path &path, Access access)
   opened.load();
   if (access == Access::ReadWrite) {
     opened.beginWriting();
+    migrateTables(*opened.m_database);
   }
   return opened;
 }

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr std::int64_t kApplicationId = 0x48774d70; // "HwMp" in the file's header
-constexpr std::int64_t kSchemaVersion = 1;
+constexpr std::int64_t kSchemaVersion = 2;
 constexpr std::string_view kThresholdPrefix = "threshold.";
 
 constexpr const char *kTables = R"(
@@ -33,7 +33,8 @@ CREATE TABLE edge(
   a INTEGER NOT NULL REFERENCES node(id),
   b INTEGER NOT NULL REFERENCES node(id),
   bearing_at_a_rad REAL,
-  bearing_at_b_rad REAL) STRICT;
+  bearing_at_b_rad REAL,
+  length_m REAL) STRICT;
 CREATE TABLE view(
   node INTEGER PRIMARY KEY REFERENCES node(id),
   hash TEXT NOT NULL,
@@ -120,12 +121,13 @@ void write(Database &database, const NodeAdded &change)
 void write(Database &database, const EdgeAdded &change)
 {
   const Edge &edge = change.edge;
-  Statement(database, "INSERT INTO edge VALUES (?, ?, ?, ?, ?)")
+  Statement(database, "INSERT INTO edge VALUES (?, ?, ?, ?, ?, ?)")
       .bind(edge.id.value)
       .bind(edge.a.value)
       .bind(edge.b.value)
       .bind(edge.bearingAtA)
       .bind(edge.bearingAtB)
+      .bind(edge.length)
       .run();
 }
 
@@ -192,6 +194,17 @@ void checkTables(Database &database)
   if (!orphan.empty()) {
     damaged(database, "table " + orphan + " names a place that is not there");
   }
+}
+
+void migrateTables(Database &database)
+{
+  if (database.integer("PRAGMA user_version") == kSchemaVersion) {
+    return;
+  }
+  Transaction transaction(database);
+  database.execute("ALTER TABLE edge ADD COLUMN length_m REAL");
+  database.execute(("PRAGMA user_version = " + std::to_string(kSchemaVersion)).c_str());
+  transaction.commit();
 }
 
 void writeHeader(Database &database, const MapHeader &header)
@@ -265,13 +278,16 @@ TopologicalMap readMap(Database &database)
       const NodeId id{nodes.integer(0)};
       map.apply(NodeAdded{{id, readDirections(database, id)}});
     }
-    Statement edges(database, "SELECT * FROM edge ORDER BY id");
+    const bool lengths = database.integer("PRAGMA user_version") > 1;
+    Statement edges(database, lengths ? "SELECT * FROM edge ORDER BY id"
+                                      : "SELECT *, NULL FROM edge ORDER BY id");
     while (edges.step()) {
       map.apply(EdgeAdded{{{edges.integer(0)},
                            {edges.integer(1)},
                            {edges.integer(2)},
                            edges.real(3),
-                           edges.real(4)}});
+                           edges.real(4),
+                           edges.real(5)}});
     }
   }
   catch (const LogicError &error) {

@@ -14,6 +14,9 @@ void createTables(Database &database);
 /** @throw StoreError unless the file is a sound map of a version that can be read */
 void checkTables(Database &database);
 
+/** Brings a map of an older version to today's, all or nothing; for files opened to be written. */
+void migrateTables(Database &database);
+
 void writeHeader(Database &database, const MapHeader &header);
 
 /** @throw StoreError when a key is missing or no number where one is needed */

@@ -56,6 +56,13 @@ void checkBearing(EdgeId id, const std::optional<double> &bearing)
   }
 }
 
+void checkLength(EdgeId id, const std::optional<double> &length)
+{
+  if (length && !(std::isfinite(*length) && *length >= 0.0)) {
+    refuse(text(id) + ": length " + std::to_string(*length) + " is none");
+  }
+}
+
 void insertSorted(std::vector<NodeId> &ids, NodeId id)
 {
   ids.insert(std::lower_bound(ids.begin(), ids.end(), id), id);
@@ -191,6 +198,7 @@ void TopologicalMap::add(const EdgeAdded &change)
   }
   checkBearing(edge.id, edge.bearingAtA);
   checkBearing(edge.id, edge.bearingAtB);
+  checkLength(edge.id, edge.length);
   m_edges.emplace(edge.id, edge);
   insertSorted(m_neighbours.at(edge.a), edge.b);
   insertSorted(m_neighbours.at(edge.b), edge.a);

@@ -36,9 +36,8 @@ struct ExplorerState
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
   std::map<NodeId, int> vain;           ///< homings that did not arrive since the robot last got on
-  int stranded = 0;                 ///< looks for a place that leads on, since the last that did
-  std::map<EdgeId, int> failures;   ///< legs that were not driven to their end
-  std::map<EdgeId, double> lengths; ///< metres, straight, by odometry
+  int stranded = 0;               ///< looks for a place that leads on, since the last that did
+  std::map<EdgeId, int> failures; ///< legs that were not driven to their end
   std::map<std::pair<NodeId, DirectionId>, int> attempts; ///< drives that led to no edge
   Chord chord; ///< from the origin to where the robot stands
 };

@@ -57,6 +57,7 @@ struct Edge
   /** Departure bearing towards the other end, radians ccw from that node's stored heading. */
   std::optional<double> bearingAtA = std::nullopt;
   std::optional<double> bearingAtB = std::nullopt; ///< as bearingAtA, at b towards a
+  std::optional<double> length = std::nullopt;     ///< metres, straight, as odometry had it
 
   bool operator==(const Edge &) const = default;
 };
@@ -90,7 +91,7 @@ using MapChange = std::variant<NodeAdded, EdgeAdded, DirectionSettled>;
  * images or coordinates. It grows by apply() alone, so that it always holds:
  * - ids count from 0 in the order of arrival and are never reused;
  * - every edge joins two known, different nodes, and no two edges join the same two;
- * - bearings and widths are finite, widths not negative;
+ * - bearings, widths and lengths are finite, widths and lengths not negative;
  * - a settled direction stays as it is.
  */
 class TopologicalMap
