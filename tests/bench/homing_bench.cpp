@@ -64,6 +64,21 @@ void BM_MinWarping144x80Double(benchmark::State &state)
 }
 BENCHMARK(BM_MinWarping144x80Double)->Unit(benchmark::kMillisecond);
 
+/** 9 planes, 96 x 96 directions and heading changes, both ways round. */
+void BM_MinWarping288Search96(benchmark::State &state)
+{
+  MinWarpingOptions options = withColumns(288);
+  options.searchStep = 3;
+  matchWith(state, options);
+}
+BENCHMARK(BM_MinWarping288Search96)->Unit(benchmark::kMillisecond);
+
+void BM_MinWarping288(benchmark::State &state)
+{
+  matchWith(state, withColumns(288));
+}
+BENCHMARK(BM_MinWarping288)->Unit(benchmark::kMillisecond);
+
 /** What a panorama costs once, whatever it is compared with. */
 void BM_MinWarpingPrepare(benchmark::State &state)
 {
