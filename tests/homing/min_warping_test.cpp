@@ -51,6 +51,15 @@ TEST(MinWarping, fewerColumnsAndOneSearchStillPointHome)
   EXPECT_LT(meanError(MinWarping({.doubleSearch = false}), room, {}), 6.0);
 }
 
+TEST(MinWarping, aCoarserSearchOverFineColumnsPointsHome)
+{
+  const SyntheticRoom room(21, 6.0, 5.0);
+  EXPECT_LT(meanError(MinWarping({.columns = 144, .searchStep = 2}), room, {}), 4.0);
+  EXPECT_LT(meanError(MinWarping({.columns = 288, .searchStep = 3}), room, {.gain = 0.4}), 4.0);
+  EXPECT_THROW(MinWarping({.searchStep = 5}), LogicError);
+  EXPECT_THROW(MinWarping({.searchStep = 0}), LogicError);
+}
+
 TEST(MinWarping, otherPlaceIsFarAndUnsure)
 {
   const SyntheticRoom here(21, 6.0, 5.0);
@@ -112,7 +121,7 @@ TEST(MinWarping, panoramasOfOtherSizesCompare)
 TEST(MinWarping, refusesWhatItCannotSearch)
 {
   EXPECT_THROW(MinWarping({.columns = 143}), LogicError);
-  EXPECT_THROW(MinWarping({.columns = 300}), LogicError);
+  EXPECT_THROW(MinWarping({.columns = 362}), LogicError);
   EXPECT_THROW(MinWarping({.rows = 4}), LogicError);
   EXPECT_THROW(MinWarping({.planes = 8}), LogicError);
   EXPECT_THROW(MinWarping({.scaleMax = 1.0}), LogicError);

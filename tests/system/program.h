@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "folder.h"
+
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace homeward
 {
@@ -38,29 +38,6 @@ inline ProgramRun runProgram(const std::string &arguments, const std::string &be
   run.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
   return run;
 }
-
-/** A folder of its own for a test, gone with it. */
-class Folder
-{
-public:
-  Folder()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "homewardXXXXXX").string();
-    m_path = mkdtemp(name.data());
-  }
-  ~Folder()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
-  }
-  Folder(const Folder &) = delete;
-  Folder &operator=(const Folder &) = delete;
-
-  std::string operator/(const std::string &name) const { return (m_path / name).string(); }
-
-private:
-  std::filesystem::path m_path;
-};
 
 inline std::string fileText(const std::string &file)
 {

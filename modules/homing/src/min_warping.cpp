@@ -4,6 +4,7 @@
 #include "column_minimum.h"
 #include "parabola.h"
 #include "scale_planes.h"
+#include "shift_windows.h"
 
 #include <homeward/core/error.h>
 
@@ -12,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace homeward
 {
@@ -37,37 +39,38 @@ double ramp(double value, double good, double bad)
 
 } // namespace
 
-/** M(alpha, psi) on the grid of columns. */
+/** M(alpha, psi) on the grid of search steps. */
 class MinWarping::Sums
 {
 public:
   static constexpr std::int32_t kUnsearched = std::numeric_limits<std::int32_t>::max();
 
-  Sums(int columns, const std::vector<bool> &turns) : m_columns(columns)
+  /** @param turns which heading changes, in steps, are searched */
+  explicit Sums(const std::vector<bool> &turns) : m_steps(turns.size())
   {
-    const auto size = static_cast<std::size_t>(columns);
-    m_values.assign(size * size, kUnsearched);
-    for (std::size_t turn = 0; turn < size; ++turn) {
+    m_values.assign(m_steps * m_steps, kUnsearched);
+    for (std::size_t turn = 0; turn < m_steps; ++turn) {
       if (turns[turn]) {
-        std::fill_n(&m_values[turn * size], size, 0);
+        std::fill_n(&m_values[turn * m_steps], m_steps, 0);
       }
     }
   }
 
-  std::int32_t *turn(int psi) { return &m_values[index(psi, 0)]; }
+  int steps() const { return static_cast<int>(m_steps); }
+  std::int32_t *turn(std::size_t psi) { return &m_values[psi * m_steps]; }
   const std::vector<std::int32_t> &values() const { return m_values; }
 
-  std::int32_t at(int psi, int alpha) const { return m_values[index(wrap(psi), wrap(alpha))]; }
+  /** Any integers, in steps. */
+  std::int32_t at(int psi, int alpha) const { return m_values[wrap(psi) * m_steps + wrap(alpha)]; }
 
-private:
-  int wrap(int column) const { return ((column % m_columns) + m_columns) % m_columns; }
-  std::size_t index(int psi, int alpha) const
+  /** The value in 0 to steps - 1 for any integer. */
+  std::size_t wrap(int step) const
   {
-    return static_cast<std::size_t>(psi) * static_cast<std::size_t>(m_columns) +
-           static_cast<std::size_t>(alpha);
+    return static_cast<std::size_t>(((step % steps()) + steps()) % steps());
   }
 
-  int m_columns;
+private:
+  std::size_t m_steps;
   std::vector<std::int32_t> m_values;
 };
 
@@ -95,12 +98,50 @@ MinWarping::MinWarping(const MinWarpingOptions &options) : m_options(options)
     throw LogicError("compassShare is " + std::to_string(options.compassShare) +
                      ", must be above 0 and at most 1");
   }
+  if (options.searchStep < 1 || options.columns / 2 % options.searchStep != 0) {
+    throw LogicError("searchStep is " + std::to_string(options.searchStep) +
+                     ", must divide half of the " + std::to_string(options.columns) + " columns");
+  }
   m_featureOptions.columns = options.columns;
   m_featureOptions.rows = options.rows;
   m_featureOptions.magnifications = options.planes / 2 + 1;
   m_featureOptions.magnificationStep = std::pow(options.scaleMax, 2.0 / (options.planes - 1));
   checkColumnFeatureOptions(m_featureOptions);
   buildTemplate();
+  buildWindows();
+}
+
+void MinWarping::buildWindows()
+{
+  const int columns = m_options.columns;
+  for (const std::vector<Candidate> &candidates : m_template) {
+    std::vector<Window> &windows = m_windows.emplace_back();
+    std::vector<std::pair<int, int>> sorted; // plane, delta
+    for (const Candidate &candidate : candidates) {
+      sorted.emplace_back(candidate.plane, candidate.delta);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t begin = 0; begin < sorted.size();) {
+      std::size_t end = begin + 1;
+      while (end < sorted.size() && sorted[end].first == sorted[begin].first &&
+             sorted[end].second <= sorted[end - 1].second + 1) {
+        ++end;
+      }
+      const auto [plane, first] = sorted[begin];
+      const int last = sorted[end - 1].second;
+      int level = ShiftWindows::kLevels - 1;
+      while (1 << level > last - first + 1) {
+        --level;
+      }
+      const int length = 1 << level;
+      for (int delta = first; delta <= last; delta += length) {
+        // The last window ends where the run ends, over the one before.
+        const int from = std::min(delta, last - length + 1);
+        windows.push_back({level * m_options.planes + plane, (from + columns) % columns});
+      }
+      begin = end;
+    }
+  }
 }
 
 void MinWarping::buildTemplate()
@@ -111,9 +152,7 @@ void MinWarping::buildTemplate()
   const double logStep = std::log(m_featureOptions.magnificationStep);
   m_template.assign(static_cast<std::size_t>(columns), {});
   const auto admit = [&](int x, int delta, int plane) {
-    const int index = plane * columns + (delta + columns) % columns;
-    m_template[static_cast<std::size_t>(x)].push_back(
-        {delta, plane, static_cast<std::size_t>(index)});
+    m_template[static_cast<std::size_t>(x)].push_back({delta, plane});
   };
   for (int plane = middle; plane < m_options.planes; ++plane) {
     admit(0, 0, plane);                 // ahead: only nearer
@@ -148,22 +187,23 @@ void MinWarping::buildTemplate()
 std::vector<bool> MinWarping::likelyTurns(const ScalePlanes &forward) const
 {
   const int columns = m_options.columns;
-  std::vector<int> cost(static_cast<std::size_t>(columns));
-  for (int psi = 0; psi < columns; ++psi) {
-    const std::uint8_t *row = forward.row(forward.middlePlane(), -psi);
-    cost[static_cast<std::size_t>(psi)] = std::accumulate(row, row + columns, 0);
+  const int steps = columns / m_options.searchStep;
+  std::vector<int> cost(static_cast<std::size_t>(steps));
+  for (int turn = 0; turn < steps; ++turn) {
+    const std::uint8_t *row = forward.row(forward.middlePlane(), -turn * m_options.searchStep);
+    cost[static_cast<std::size_t>(turn)] = std::accumulate(row, row + 2L * columns, 0);
   }
   const auto kept = static_cast<std::size_t>(
-      std::clamp<long>(std::lround(m_options.compassShare * columns), 1L, columns));
-  std::vector<int> order(static_cast<std::size_t>(columns));
+      std::clamp<long>(std::lround(m_options.compassShare * steps), 1L, steps));
+  std::vector<int> order(static_cast<std::size_t>(steps));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return cost[static_cast<std::size_t>(a)] < cost[static_cast<std::size_t>(b)];
   });
-  std::vector<bool> turns(static_cast<std::size_t>(columns), false);
+  std::vector<bool> turns(static_cast<std::size_t>(steps), false);
   for (std::size_t i = 0; i < kept; ++i) {
     for (const int neighbour : {-1, 0, 1}) { // the refinement looks one step aside
-      turns[static_cast<std::size_t>(forward.wrapColumn(order[i] + neighbour))] = true;
+      turns[static_cast<std::size_t>((order[i] + neighbour + steps) % steps)] = true;
     }
   }
   return turns;
@@ -173,60 +213,58 @@ void MinWarping::accumulate(const ScalePlanes &planes, const std::vector<bool> &
                             Sums &sums) const
 {
   const int columns = m_options.columns;
-  const auto size = static_cast<std::size_t>(columns);
-  std::vector<const std::uint8_t *> shifted; // rows of all planes, [plane * columns + delta]
+  const int step = m_options.searchStep;
+  const auto steps = static_cast<std::size_t>(columns / step);
+  const ShiftWindows windows(planes);
   std::vector<const std::uint8_t *> rows;
-  std::vector<std::uint8_t> best(size + kVectorPadding);
-  std::vector<std::uint16_t> total(size);
-  for (int psi = 0; psi < columns; ++psi) {
-    if (!turns[static_cast<std::size_t>(psi)]) {
+  std::vector<std::uint8_t> minima(steps + kVectorPadding);
+  std::vector<std::uint16_t> total(steps + kVectorPadding);
+  for (std::size_t turn = 0; turn < steps; ++turn) {
+    if (!turns[turn]) {
       continue;
     }
-    shifted.clear();
-    for (int plane = 0; plane < planes.planes(); ++plane) {
-      for (int delta = 0; delta < columns; ++delta) {
-        shifted.push_back(planes.row(plane, swapped ? delta + psi : delta - psi));
-      }
-    }
+    const int psi = static_cast<int>(turn) * step;
+    const int turned = swapped ? psi : columns - psi;
     std::fill(total.begin(), total.end(), std::uint16_t{0});
-    for (std::size_t x = 0; x < size; ++x) {
-      const std::vector<Candidate> &candidates = m_template[x];
-      rows.resize(candidates.size());
-      for (std::size_t c = 0; c < candidates.size(); ++c) {
-        rows[c] = shifted[candidates[c].index] + x;
+    for (int x = 0; x < columns; ++x) {
+      const std::size_t position = planes.position(x);
+      const std::vector<Window> &wanted = m_windows[static_cast<std::size_t>(x)];
+      rows.resize(wanted.size());
+      for (std::size_t w = 0; w < wanted.size(); ++w) {
+        const int shift = wanted[w].delta + turned;
+        rows[w] = windows.row(wanted[w].run, shift < columns ? shift : shift - columns) + position;
       }
-      columnMinima(rows.data(), rows.size(), size, best.data());
-      for (std::size_t i = 0; i < size; ++i) {
-        total[i] = static_cast<std::uint16_t>(total[i] + best[i]);
-      }
+      addColumnMinima(rows.data(), rows.size(), steps, minima.data(), total.data());
     }
     // Seen from the other place, home lies at alpha + pi - psi.
-    const int offset = swapped ? columns / 2 - psi : 0;
-    std::int32_t *sum = sums.turn(psi);
-    for (int alpha = 0; alpha < columns; ++alpha) {
-      sum[alpha] += total[static_cast<std::size_t>(planes.wrapColumn(alpha + offset))];
+    const int offset = swapped ? (columns / 2 - psi) / step : 0;
+    std::int32_t *sum = sums.turn(turn);
+    for (std::size_t alpha = 0; alpha < steps; ++alpha) {
+      sum[alpha] += total[sums.wrap(static_cast<int>(alpha) + offset)];
     }
   }
 }
 
 MinWarping::Minimum MinWarping::findMinimum(const Sums &sums) const
 {
-  const int columns = m_options.columns;
+  const int step = m_options.searchStep;
   const auto best = std::min_element(sums.values().begin(), sums.values().end());
   const auto index = static_cast<int>(best - sums.values().begin());
+  const int psi = index / sums.steps();
+  const int alpha = index % sums.steps();
   Minimum minimum;
-  minimum.psi = index / columns;
-  minimum.alpha = index % columns;
+  minimum.psi = step * psi;
+  minimum.alpha = step * alpha;
   minimum.value = *best;
   const auto vertex = [&](int psiStep, int alphaStep) {
-    const std::int32_t before = sums.at(minimum.psi - psiStep, minimum.alpha - alphaStep);
-    const std::int32_t after = sums.at(minimum.psi + psiStep, minimum.alpha + alphaStep);
+    const std::int32_t before = sums.at(psi - psiStep, alpha - alphaStep);
+    const std::int32_t after = sums.at(psi + psiStep, alpha + alphaStep);
     return before == Sums::kUnsearched || after == Sums::kUnsearched
                ? 0.0
                : parabolaVertex(before, minimum.value, after);
   };
-  minimum.refinedPsi = minimum.psi + vertex(1, 0);
-  minimum.refinedAlpha = minimum.alpha + vertex(0, 1);
+  minimum.refinedPsi = minimum.psi + step * vertex(1, 0);
+  minimum.refinedAlpha = minimum.alpha + step * vertex(0, 1);
   return minimum;
 }
 
@@ -241,7 +279,7 @@ double MinWarping::distanceProxy(const ScalePlanes &forward, const Minimum &mini
     if (std::abs(std::sin(angle)) < 0.5) {
       continue; // nearly along the movement the bearing does not tell the distance
     }
-    const int i = forward.wrapColumn(minimum.alpha + x);
+    const std::size_t i = forward.position(forward.wrapColumn(minimum.alpha + x));
     const auto distance = [&](int plane, int delta) {
       return static_cast<int>(forward.row(plane, delta - minimum.psi)[i]);
     };
@@ -267,22 +305,28 @@ double MinWarping::distanceProxy(const ScalePlanes &forward, const Minimum &mini
 WarpingMatch MinWarping::describe(const ScalePlanes &forward, const Sums &sums,
                                   const Minimum &minimum) const
 {
-  const int columns = m_options.columns;
-  const double column = 2.0 * kPi / columns;
+  const int steps = sums.steps();
+  const int step = m_options.searchStep;
+  const double column = 2.0 * kPi / m_options.columns;
+  std::vector<bool> farAlpha; // by alpha - psi + steps
+  for (int difference = -steps; difference < steps; ++difference) {
+    const double turn = wrapAngle((difference * step - minimum.alpha + minimum.psi) * column);
+    farAlpha.push_back(std::abs(turn) > radians(60.0));
+  }
   std::vector<std::int32_t> searched;
   std::int32_t otherTurn = Sums::kUnsearched;
   std::int32_t opposite = Sums::kUnsearched;
-  for (int psi = 0; psi < columns; ++psi) {
-    const bool farTurn = std::abs(wrapAngle((psi - minimum.psi) * column)) > radians(20.0);
-    for (int alpha = 0; alpha < columns; ++alpha) {
+  for (int psi = 0; psi < steps; ++psi) {
+    const bool farTurn = std::abs(wrapAngle((psi * step - minimum.psi) * column)) > radians(20.0);
+    for (int alpha = 0; alpha < steps; ++alpha) {
       const std::int32_t value = sums.at(psi, alpha);
       if (value == Sums::kUnsearched) {
         continue;
       }
       searched.push_back(value);
-      const double turn = wrapAngle((alpha - psi - minimum.alpha + minimum.psi) * column);
       otherTurn = farTurn ? std::min(otherTurn, value) : otherTurn;
-      opposite = std::abs(turn) > radians(60.0) ? std::min(opposite, value) : opposite;
+      opposite = farAlpha[static_cast<std::size_t>(alpha - psi + steps)] ? std::min(opposite, value)
+                                                                         : opposite;
     }
   }
   const auto middle = searched.begin() + std::ssize(searched) / 2;
@@ -317,9 +361,9 @@ std::optional<WarpingMatch> MinWarping::match(const ColumnFeatures &current,
   if (std::min(current.texturedShare, snapshot.texturedShare) < kLeastTexturedShare) {
     return std::nullopt;
   }
-  const ScalePlanes forward(snapshot, current);
+  const ScalePlanes forward(snapshot, current, m_options.searchStep);
   const std::vector<bool> turns = likelyTurns(forward);
-  Sums sums(m_options.columns, turns);
+  Sums sums(turns);
   accumulate(forward, turns, false, sums);
   if (m_options.doubleSearch) {
     accumulate(forward.swapped(), turns, true, sums);

@@ -13,14 +13,18 @@ namespace homeward
  * Distances of every column of one view to every column of another in a stack of scale planes.
  *
  * Stored by (plane, j - i, i), i written twice over, so that a search that moves i and j together
- * reads consecutive bytes. Plane k stands for the magnification step^(k - c) from the first view to
- * the second, c = (planes - 1) / 2.
+ * reads consecutive bytes; every `step`th i stands together, for a search in such steps. Plane k
+ * stands for the magnification step^(k - c) from the first view to the second, c = (planes - 1)
+ * / 2.
  */
 class ScalePlanes
 {
 public:
-  /** Distances between columns i of `first` and j of `second`, made with the same options. */
-  ScalePlanes(const ColumnFeatures &first, const ColumnFeatures &second);
+  /**
+   * Distances between columns i of `first` and j of `second`, made with the same options.
+   * @param step divides the number of columns
+   */
+  ScalePlanes(const ColumnFeatures &first, const ColumnFeatures &second, int step = 1);
 
   /** The stack with the roles swapped. */
   ScalePlanes swapped() const;
@@ -29,10 +33,16 @@ public:
   int planes() const { return m_planes; }
   int middlePlane() const { return m_planes / 2; }
 
-  /** Distances for j - i = shift (any integer), for i = 0 to 2 columns - 1 (mod columns). */
+  /** Distances for j - i = shift (any integer), at position(i) for i = 0 to 2 columns - 1. */
   const std::uint8_t *row(int plane, int shift) const
   {
     return &m_bytes[offset(plane, wrapColumn(shift))];
+  }
+
+  /** Where i stands in a row, from 0 to 2 columns - 1. */
+  std::size_t position(int i) const
+  {
+    return static_cast<std::size_t>(i % m_step * (2 * m_columns / m_step) + i / m_step);
   }
 
   /** The value in 0 to columns - 1 for any integer. */
@@ -46,7 +56,10 @@ public:
   double fullSum() const { return m_fullDistance * m_columns; }
 
 private:
-  ScalePlanes(int columns, int planes, double fullDistance);
+  ScalePlanes(int columns, int planes, int step, double fullDistance);
+
+  /** Stores distances for i = 0 to columns - 1 as a row. */
+  void store(int plane, int shift, const std::uint8_t *distances);
 
   std::size_t offset(int plane, int shift) const
   {
@@ -57,6 +70,7 @@ private:
 
   int m_columns;
   int m_planes;
+  int m_step;
   double m_fullDistance; ///< byte steps of a column distance of 1
   std::vector<std::uint8_t> m_bytes;
 };

@@ -14,12 +14,13 @@ class ScalePlanes;
 /** What MinWarping may be told. */
 struct MinWarpingOptions
 {
-  int columns = 144;         ///< resolution of the search round the full turn; even, 8 to 256
-  int rows = 80;             ///< edge values in a column
-  int planes = 9;            ///< scale planes; odd, 3 to 31
-  double scaleMax = 2.0;     ///< magnification of the outermost planes, > 1
-  double scaleLimit = 2.5;   ///< matches that need a larger magnification are left out
-  bool doubleSearch = true;  ///< search both ways round; two to three times fewer errors
+  int columns = 144;        ///< resolution of the search round the full turn; even, 8 to 360
+  int rows = 80;            ///< edge values in a column
+  int planes = 9;           ///< scale planes; odd, 3 to 31
+  double scaleMax = 2.0;    ///< magnification of the outermost planes, > 1
+  double scaleLimit = 2.5;  ///< matches that need a larger magnification are left out
+  bool doubleSearch = true; ///< search both ways round; two to three times fewer errors
+  int searchStep = 1; ///< columns from one searched direction to the next; divides columns / 2
   double compassShare = 1.0; ///< share of heading changes searched, the best by a compass, (0, 1]
 };
 
@@ -69,15 +70,22 @@ public:
 private:
   struct Candidate
   {
-    int delta;         ///< columns, signed
-    int plane;         ///< index of the scale plane
-    std::size_t index; ///< plane * columns + delta (mod columns)
+    int delta; ///< columns, signed
+    int plane; ///< index of the scale plane
+  };
+
+  /** Candidates of one plane at 2^level neighbouring deltas. */
+  struct Window
+  {
+    int run;   ///< level * planes + plane
+    int delta; ///< the first, columns, from 0 to columns - 1
   };
 
   class Sums;
   struct Minimum;
 
   void buildTemplate();
+  void buildWindows();
   std::vector<bool> likelyTurns(const ScalePlanes &forward) const;
   void accumulate(const ScalePlanes &planes, const std::vector<bool> &turns, bool swapped,
                   Sums &sums) const;
@@ -89,6 +97,8 @@ private:
   ColumnFeatureOptions m_featureOptions;
   /** m_template[x]: matches that a landmark at angle x (columns) off alpha admits. */
   std::vector<std::vector<Candidate>> m_template;
+  /** m_windows[x]: the same, neighbours together. */
+  std::vector<std::vector<Window>> m_windows;
 };
 
 } // namespace homeward
