@@ -50,6 +50,7 @@ Subject subjectOf(const HomingArguments &arguments)
   HomingPairOptions pairs;
   pairs.pairs = arguments.pairs;
   if (!arguments.data.empty()) {
+    pairs.fewest = 1; // a data set may be small
     subject.set = std::make_shared<const DataSet>(DataSet::read(arguments.data));
     const auto all = [](const Eigen::Vector2d &, const Eigen::Vector2d &) { return true; };
     subject.task = homingTask(*subject.set, arguments.lightMap, arguments.lightNow, all,
