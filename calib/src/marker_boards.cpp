@@ -18,6 +18,9 @@ namespace homeward
 namespace
 {
 
+/** Points that still fix a pose with something to spare. */
+constexpr std::size_t kFewest = 6;
+
 /** The corners of every marker seen, clockwise on the board from its top left. */
 using Markers = std::map<int, std::array<Eigen::Vector2d, 4>>;
 
@@ -122,7 +125,10 @@ public:
         view.pixels.push_back(*pixel);
       }
     }
-    return withoutStrays(view);
+    // Of a board that the rim cuts, so few corners stand together that none vouches for another:
+    // then the calibration judges them.
+    BoardView kept = withoutStrays(view);
+    return kept.ids.size() >= kFewest ? kept : view;
   }
 
 private:
@@ -237,7 +243,6 @@ private:
 std::optional<BoardView> findMarkerBoard(const cv::Mat1b &picture, const Target &target,
                                          const std::optional<MirrorCircles> &mirror)
 {
-  constexpr std::size_t kFewest = 6; // points that still fix a pose with something to spare
   const MarkerBoard board(picture, target, roughCamera(mirror, picture.cols, picture.rows));
   BoardView view =
       target.kind == TargetKind::AprilGrid ? board.tagCorners() : board.squareCorners();
