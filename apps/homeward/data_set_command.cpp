@@ -48,7 +48,7 @@ struct DataSetArguments
   bool gray = false;
 };
 
-void makeDataSet(DataSetArguments arguments)
+void makeDataSet(const DataSetArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<LightPreset> lights;
