@@ -210,7 +210,7 @@ std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPi
 
 bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture)
 {
-  constexpr double kAlike = 0.3; // of the contrast
+  constexpr double kAlike = 0.45; // of the contrast
   const auto level = [&](double x, double y) {
     return static_cast<double>(bilinear(picture, toPicture({x, y})));
   };
