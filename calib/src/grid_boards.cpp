@@ -2,6 +2,7 @@
 #include "grid_boards.h"
 
 #include "board_map.h"
+#include "checker_grid.h"
 #include "picture_views.h"
 #include "point_refinement.h"
 
@@ -17,156 +18,192 @@ namespace homeward
 namespace
 {
 
-/** Every point of the grid, row by row, in the pixels of a view; empty where it is not seen. */
-std::vector<cv::Point2f> findGrid(const cv::Mat1b &image, const Target &target)
+/** A board's points by their ids; what is not seen is empty. */
+using Grid = std::vector<std::optional<BoardPixel>>;
+
+/** Every disc of the grid, row by row, in the pixels of a view; empty where it is not seen. */
+std::vector<cv::Point2f> findDiscs(const cv::Mat1b &image, const Target &target)
 {
-  const cv::Size size(target.columns, target.rows);
+  cv::SimpleBlobDetector::Params params;
+  params.minArea = 12.0F;
+  params.maxArea = static_cast<float>(image.total()) / 50.0F;
+  params.minConvexity = 0.85F;
+  params.maxInertiaRatio = 1.1F;
+  params.minInertiaRatio = 0.15F;
+  params.minDistBetweenBlobs = 4.0F;
   std::vector<cv::Point2f> points;
-  bool found = false;
-  if (target.kind == TargetKind::Chessboard) {
-    found = cv::findChessboardCornersSB(image, size, points, cv::CALIB_CB_NORMALIZE_IMAGE);
-  }
-  else {
-    cv::SimpleBlobDetector::Params params;
-    params.minArea = 12.0F;
-    params.maxArea = static_cast<float>(image.total()) / 50.0F;
-    params.minConvexity = 0.85F;
-    params.maxInertiaRatio = 1.1F;
-    params.minInertiaRatio = 0.15F;
-    params.minDistBetweenBlobs = 4.0F;
-    found = cv::findCirclesGrid(image, size, points,
-                                cv::CALIB_CB_SYMMETRIC_GRID | cv::CALIB_CB_CLUSTERING,
-                                cv::SimpleBlobDetector::create(params));
-  }
+  const bool found = cv::findCirclesGrid(image, {target.columns, target.rows}, points,
+                                         cv::CALIB_CB_SYMMETRIC_GRID | cv::CALIB_CB_CLUSTERING,
+                                         cv::SimpleBlobDetector::create(params));
   return found ? points : std::vector<cv::Point2f>();
 }
 
-/** Indices of the nine points of the grid round one of them. */
-std::vector<std::size_t> around(const Target &target, int index)
+std::size_t seen(const Grid &grid)
 {
-  const int column = index % target.columns;
-  const int row = index / target.columns;
-  // At the border more to the other side, so that nine points speak everywhere.
-  const int left = std::clamp(column - 1, 0, target.columns - 3);
-  const int top = std::clamp(row - 1, 0, target.rows - 3);
-  std::vector<std::size_t> result;
-  for (int r = top; r < top + 3; ++r) {
-    for (int c = left; c < left + 3; ++c) {
-      result.push_back(static_cast<std::size_t>(r * target.columns + c));
+  return static_cast<std::size_t>(
+      std::count_if(grid.begin(), grid.end(), [](const auto &point) { return point.has_value(); }));
+}
+
+/** The points of the grid next to a place on it, itself left out: all eight, or as many. */
+std::vector<BoardPixel> around(const Grid &grid, const Target &target, std::size_t index)
+{
+  constexpr int kReach = 2; // at the border more to the other side
+  constexpr std::size_t kMost = 8;
+  const int column = static_cast<int>(index) % target.columns;
+  const int row = static_cast<int>(index) / target.columns;
+  std::vector<std::pair<int, std::size_t>> near;
+  for (int r = std::max(0, row - kReach); r <= std::min(target.rows - 1, row + kReach); ++r) {
+    for (int c = std::max(0, column - kReach); c <= std::min(target.columns - 1, column + kReach);
+         ++c) {
+      const auto i = static_cast<std::size_t>(r * target.columns + c);
+      if (grid[i] && i != index) {
+        near.emplace_back((r - row) * (r - row) + (c - column) * (c - column), i);
+      }
     }
+  }
+  std::sort(near.begin(), near.end());
+  near.resize(std::min(near.size(), kMost));
+  std::vector<BoardPixel> result;
+  for (const auto &[distance, i] : near) {
+    result.push_back(*grid[i]);
   }
   return result;
 }
 
-/** The grid round one of its points, itself included. */
-std::vector<BoardPixel> neighbours(const std::vector<BoardPixel> &grid, const Target &target,
-                                   int index)
+/** From the board to the picture round one of its points, which counts itself. */
+std::optional<BoardMap> mapRound(const Grid &grid, const Target &target, std::size_t index,
+                                 const UnifiedCamera &camera)
 {
-  std::vector<BoardPixel> result;
-  for (const std::size_t i : around(target, index)) {
-    result.push_back(grid[i]);
+  std::vector<BoardPixel> points = around(grid, target, index);
+  points.push_back(*grid[index]);
+  return BoardMap::fit(camera, points);
+}
+
+/**
+ * How far a point lies from where those round it say, and how far it is to the next one, pixels;
+ * nothing where they do not say.
+ */
+struct Fit
+{
+  double aside = 0.0;
+  double pitch = 0.0;
+};
+
+std::optional<Fit> fitOf(const Grid &grid, const Target &target, std::size_t index,
+                         const UnifiedCamera &camera)
+{
+  const auto map = BoardMap::fit(camera, around(grid, target, index));
+  if (!map) {
+    return std::nullopt;
   }
-  return result;
+  const BoardPixel &point = *grid[index];
+  const Eigen::Vector2d expected = map->toPicture(point.board);
+  const auto away = [&](double x, double y) {
+    return (map->toPicture(point.board + target.pitch * Eigen::Vector2d(x, y)) - expected).norm();
+  };
+  return Fit{(point.pixel - expected).norm(), std::max(away(1.0, 0.0), away(0.0, 1.0))};
 }
 
 /** Whether the points lie as a flat grid's do, which a wrongly ordered one's do not. */
-bool isFlat(const std::vector<BoardPixel> &grid, const Target &target, const UnifiedCamera &camera)
+bool isFlat(const Grid &grid, const Target &target, const UnifiedCamera &camera)
 {
-  for (int i = 0; i < static_cast<int>(grid.size()); ++i) {
-    const auto map = BoardMap::fit(camera, neighbours(grid, target, i));
-    const BoardPixel &point = grid[static_cast<std::size_t>(i)];
-    const auto aside = [&](double x, double y) {
-      return map->toPicture(point.board + target.pitch * Eigen::Vector2d(x, y));
-    };
-    if (!map || (aside(0.0, 0.0) - point.pixel).norm() >
-                    0.2 * std::max((aside(1.0, 0.0) - aside(0.0, 0.0)).norm(),
-                                   (aside(0.0, 1.0) - aside(0.0, 0.0)).norm())) {
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const auto fit = grid[i] ? fitOf(grid, target, i, camera) : Fit{};
+    if (!fit || fit->aside > 0.3 * fit->pitch) {
       return false;
     }
   }
   return true;
 }
 
-/** The grid with its points refined, those that do not refine left out. */
-std::vector<std::optional<BoardPixel>> refinedGrid(const cv::Mat1b &picture, const Target &target,
-                                                   const std::vector<BoardPixel> &grid,
-                                                   const UnifiedCamera &camera)
+/** What a board is looked for in. */
+struct Search
 {
-  std::vector<std::optional<BoardPixel>> refined(grid.size());
+  cv::Mat1b picture;
+  Target target;
+  UnifiedCamera camera; ///< roughly
+};
+
+/** The grid with its points refined, those that do not refine left out. */
+Grid refinedGrid(const Search &search, const Grid &grid)
+{
+  const Target &target = search.target;
+  const bool checkers = target.kind == TargetKind::Chessboard;
+  Grid refined(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    const auto map = BoardMap::fit(camera, neighbours(grid, target, static_cast<int>(i)));
+    const auto map = grid[i] ? mapRound(grid, target, i, search.camera) : std::nullopt;
     if (!map) {
       continue;
     }
     const auto toPicture = [&](const Eigen::Vector2d &offset) {
-      return map->toPicture(grid[i].board + target.pitch * offset);
+      return map->toPicture(grid[i]->board + target.pitch * offset);
     };
+    if (checkers && !showsWholeCheckers(search.picture, toPicture)) {
+      continue;
+    }
     constexpr double kReach = 0.42; // pitches; the next corner is one away
-    const auto pixel = target.kind == TargetKind::Chessboard
-                           ? refineSaddle(picture, toPicture, kReach)
-                           : refineDisc(picture, toPicture);
+    const auto pixel = checkers ? refineSaddle(search.picture, toPicture, kReach)
+                                : refineDisc(search.picture, toPicture);
     if (pixel) {
-      refined[i] = BoardPixel{grid[i].board, *pixel};
+      refined[i] = BoardPixel{grid[i]->board, *pixel};
     }
   }
   return refined;
 }
 
-/** Whether a refined point lies where those round it say. */
-bool fitsIn(const std::vector<std::optional<BoardPixel>> &refined, const Target &target,
-            const UnifiedCamera &camera, std::size_t index)
+/** The points that refine well and lie where those round them say; nothing where few do. */
+std::optional<BoardView> viewOf(const Search &search, const Grid &grid)
 {
-  std::vector<BoardPixel> others;
-  for (const std::size_t i : around(target, static_cast<int>(index))) {
-    if (i != index && refined[i]) {
-      others.push_back(*refined[i]);
-    }
-  }
-  const auto map = BoardMap::fit(camera, others);
-  if (!map) {
-    return false;
-  }
-  const BoardPixel &point = *refined[index];
-  const Eigen::Vector2d expected = map->toPicture(point.board);
-  const double pitch =
-      (map->toPicture(point.board + Eigen::Vector2d(target.pitch, 0.0)) - expected).norm();
-  return (point.pixel - expected).norm() < 0.7 + 0.03 * pitch;
-}
-
-/** The points that refine well; nothing where too few do for the grid to be true. */
-std::optional<BoardView> viewOf(const std::vector<std::optional<BoardPixel>> &refined,
-                                const Target &target, const UnifiedCamera &camera)
-{
+  const Grid refined = refinedGrid(search, grid);
   BoardView view;
   for (std::size_t i = 0; i < refined.size(); ++i) {
-    if (refined[i] && fitsIn(refined, target, camera, i)) {
+    const auto fit = refined[i] ? fitOf(refined, search.target, i, search.camera) : std::nullopt;
+    if (fit && fit->aside < 0.7 + 0.03 * fit->pitch) {
       view.ids.push_back(static_cast<int>(i));
       view.board.emplace_back(refined[i]->board.x(), refined[i]->board.y(), 0.0);
       view.pixels.push_back(refined[i]->pixel);
     }
   }
-  constexpr double kEnough = 0.8;
-  return static_cast<double>(view.ids.size()) >= kEnough * static_cast<double>(refined.size())
+  constexpr double kEnough = 0.7;     // of the grid; else it is none
+  constexpr std::size_t kFewest = 12; // a part of 4 x 3 corners
+  return view.ids.size() >= kFewest &&
+                 static_cast<double>(view.ids.size()) >= kEnough * static_cast<double>(seen(grid))
              ? std::optional(view)
              : std::nullopt;
 }
 
-std::optional<BoardView> findIn(const PictureView &view, const cv::Mat1b &picture,
-                                const Target &target, const UnifiedCamera &camera)
+/** The grid of circles in a view of the picture. */
+std::optional<BoardView> findCircles(const Search &search, const PictureView &view)
 {
-  const std::vector<cv::Point2f> found = findGrid(view.image, target);
+  const std::vector<cv::Point2f> found = findDiscs(view.image, search.target);
   if (found.empty()) {
     return std::nullopt;
   }
-  const std::vector<Eigen::Vector3d> points = targetPoints(target);
-  std::vector<BoardPixel> grid;
+  const std::vector<Eigen::Vector3d> points = targetPoints(search.target);
+  Grid grid;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    grid.push_back({points[i].head<2>(), view.toPicture({found[i].x, found[i].y})});
+    grid.push_back(BoardPixel{points[i].head<2>(), view.toPicture({found[i].x, found[i].y})});
   }
-  if (!isFlat(grid, target, camera)) {
+  return isFlat(grid, search.target, search.camera) ? viewOf(search, grid) : std::nullopt;
+}
+
+/** The chessboard, or as much of it as shows. */
+std::optional<BoardView> findCheckers(const Search &search)
+{
+  const Target &target = search.target;
+  const std::vector<GridCorner> corners =
+      findCheckerGrid(search.picture, {target.columns, target.rows});
+  const GridSize extent = extentOf(corners);
+  if (std::max(extent.columns, extent.rows) < 4 || std::min(extent.columns, extent.rows) < 3) {
     return std::nullopt;
   }
-  return viewOf(refinedGrid(picture, target, grid, camera), target, camera);
+  const std::vector<Eigen::Vector3d> points = targetPoints(target);
+  Grid grid(points.size());
+  for (const GridCorner &corner : corners) {
+    const auto i = static_cast<std::size_t>(corner.row * target.columns + corner.column);
+    grid[i] = BoardPixel{points[i].head<2>(), corner.pixel};
+  }
+  return viewOf(search, grid);
 }
 
 } // namespace
@@ -174,13 +211,16 @@ std::optional<BoardView> findIn(const PictureView &view, const cv::Mat1b &pictur
 std::optional<BoardView> findGridBoard(const cv::Mat1b &picture, const Target &target,
                                        const std::optional<MirrorCircles> &mirror)
 {
-  const UnifiedCamera camera = roughCamera(mirror, picture.cols, picture.rows);
-  if (auto board = findIn(enlarged(picture, 1.0), picture, target, camera)) {
+  const Search search{picture, target, roughCamera(mirror, picture.cols, picture.rows)};
+  if (target.kind == TargetKind::Chessboard) {
+    return findCheckers(search);
+  }
+  if (auto board = findCircles(search, enlarged(picture, 1.0))) {
     return board;
   }
   for (const PatchAim &aim : aimsRound(radians(85.0))) {
-    constexpr double kScale = 1.5; // corners in pixels of their own, even near the rim
-    if (auto board = findIn(straightened(picture, camera, aim, kScale), picture, target, camera)) {
+    constexpr double kScale = 1.5; // discs in pixels of their own, even near the rim
+    if (auto board = findCircles(search, straightened(picture, search.camera, aim, kScale))) {
       return board;
     }
   }

@@ -208,6 +208,24 @@ std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPi
   return moved.norm() < 0.3 ? std::optional(toPicture(moved)) : std::nullopt;
 }
 
+bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture)
+{
+  constexpr double kAlike = 0.45; // of the contrast
+  const auto level = [&](double x, double y) {
+    return static_cast<double>(bilinear(picture, toPicture({x, y})));
+  };
+  const double contrast =
+      std::abs(level(0.2, 0.2) + level(-0.2, -0.2) - level(0.2, -0.2) - level(-0.2, 0.2)) / 2.0;
+  for (const double right : {0.2, 0.3, 0.4}) {
+    for (const double down : {-0.4, -0.3, -0.2, 0.2, 0.3, 0.4}) {
+      if (std::abs(level(right, down) - level(-right, -down)) > kAlike * contrast) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::optional<Eigen::Vector2d> refineDisc(const cv::Mat1b &picture, const ToPicture &toPicture)
 {
   Eigen::Vector2d moved = Eigen::Vector2d::Zero();

@@ -24,6 +24,13 @@ std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPi
                                             double reach);
 
 /**
+ * Whether the four checkers round a corner show as far as refineSaddle() looks: those across from
+ * each other are alike, which the mirror's rim or a hand in front of one of them spoils.
+ * @param toPicture as for refineSaddle()
+ */
+bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture);
+
+/**
  * The middle of a dark disc half a pitch wide.
  * @param toPicture from pitches right and down of the guess; roughly
  * @return nothing where there is none near the guess

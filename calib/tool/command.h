@@ -20,4 +20,7 @@ void addQuickCommand(CLI::App &app, int &status);
 /** Prints targets to scale. */
 void addTargetCommand(CLI::App &app, int &status);
 
+/** One camera file from another: formats and models. */
+void addConvertCommand(CLI::App &app, int &status);
+
 } // namespace homeward

@@ -122,5 +122,41 @@ TEST(CalibrateTool, makesCameraFileJsonAndReport)
   EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
 }
 
+TEST(CalibrateTool, convertsThereAndBack)
+{
+  const Folder folder;
+  const std::string camera = folder / "camera.yaml";
+  std::ofstream(camera) << formatMirrorCamera(
+      {UnifiedCamera({0.95, 277, 277, 651, 472, 0, 0, 0, 0}, 1280, 960), {90.0, 450.0}, {}});
+  const std::string ocam = folder / "calib_results.txt";
+  const ProgramRun there =
+      runProgram("convert " + camera + " " + ocam + " --to ocamcalib --model ocam --json -");
+  ASSERT_EQ(there.status, 0) << there.output;
+  const auto json = nlohmann::json::parse(there.output);
+  EXPECT_LT(json["mean_px"].get<double>(), json["largest_px"].get<double>());
+  EXPECT_LT(json["largest_px"].get<double>(), 1.0);
+  const std::string again = folder / "again.yml";
+  const ProgramRun back =
+      runProgram("convert " + ocam + " " + again + " --to opencv --model unified");
+  ASSERT_EQ(back.status, 0) << back.output;
+  EXPECT_THAT(back.output, HasSubstr("ocam as unified: off by "));
+  EXPECT_THAT(fileText(again), HasSubstr("xi"));
+}
+
+TEST(CalibrateTool, refusesWhatIsNoCamera)
+{
+  const Folder folder;
+  std::ofstream(folder / "text.yaml") << "no camera";
+  for (const std::string input : {"text.yaml", "missing.yaml"}) {
+    const ProgramRun run =
+        runProgram("convert " + (folder / input) + " " + (folder / "out.yaml") + " --to visp");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.output, HasSubstr(input));
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.yaml"));
+  }
+  EXPECT_EQ(runProgram("convert a.yaml b.yaml --to xls").status, 2);
+}
+
 } // namespace
 } // namespace homeward

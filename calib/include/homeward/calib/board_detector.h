@@ -15,9 +15,11 @@ namespace homeward
 {
 
 /**
- * Finds a target in a mirror picture: first as it is, then in straightened patches of it; each
- * point is refined in the mirror picture itself. Markers are found whether the picture is flipped
- * or not.
+ * Finds a target in a mirror picture; each point is refined in the mirror picture itself. Markers
+ * are found whether the picture is flipped or not.
+ *
+ * Of a chessboard that the rim cuts or a hand hides a part is found: at least 4 x 3 inner corners,
+ * of which the first column and row that show count as the board's first. A pose takes that up.
  * @param picture CV_8UC1
  * @param mirror where to look; the whole picture without it
  * @return nothing where the target is not seen; points of the board come in the order of their ids
