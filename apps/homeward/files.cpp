@@ -4,6 +4,7 @@
 #include <homeward/core/error.h>
 
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -64,6 +65,23 @@ void writeText(const std::string &file, const std::string &text)
   if (error) {
     throw RuntimeError("cannot write " + file + ": " + error.message());
   }
+}
+
+cv::Mat readPicture(const std::string &file)
+{
+  cv::Mat picture = cv::imread(file, cv::IMREAD_ANYCOLOR);
+  if (picture.empty()) {
+    throw ConfigError("cannot read the picture " + file +
+                      "; is it a PNG, JPEG or other image file?");
+  }
+  return picture;
+}
+
+std::string encodePng(const cv::Mat &picture)
+{
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", picture, bytes);
+  return {bytes.begin(), bytes.end()};
 }
 
 nlohmann::json jsonHeader(const std::string &command)

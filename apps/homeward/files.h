@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <opencv2/core/mat.hpp>
 
 #include <filesystem>
 #include <string>
@@ -18,6 +19,12 @@ std::string readText(const std::filesystem::path &file, const std::string &what)
 
 /** Writes all or nothing; "-" is standard output. @throw RuntimeError naming the file */
 void writeText(const std::string &file, const std::string &text);
+
+/** A picture, gray or BGR, 8 bits. @throw ConfigError naming the file when it cannot be read */
+cv::Mat readPicture(const std::string &file);
+
+/** The bytes of a PNG file. */
+std::string encodePng(const cv::Mat &picture);
 
 /** The keys that the JSON of every command has. */
 nlohmann::json jsonHeader(const std::string &command);

@@ -25,6 +25,8 @@ int main(int argc, char **argv)
   homeward::addMapCommand(app, status);
   homeward::addUnwrapCommand(app, status);
   homeward::addScanCommand(app, status);
+  homeward::addHomeCommand(app, status);
+  homeward::addEvaluateCommand(app, status);
   try {
     app.parse(argc, argv);
   }

@@ -9,7 +9,6 @@
 #include <homeward/viewer/scan_picture.h>
 
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -40,9 +39,7 @@ void drawScan(const ScanArguments &arguments, const CarmenScan &scan,
     writeText(arguments.picture, scanSvg(scan.scan, picture));
     return;
   }
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", scanImage(scan.scan, picture), bytes);
-  writeText(arguments.picture, std::string(bytes.begin(), bytes.end()));
+  writeText(arguments.picture, encodePng(scanImage(scan.scan, picture)));
 }
 
 void scan(const ScanArguments &arguments)

@@ -46,6 +46,7 @@ public:
   Devices devices();
   Simulator &simulator() { return *m_simulator; }
   const Scene &scene() const { return *m_scene; }
+  const std::shared_ptr<const Scene> &sharedScene() const { return m_scene; }
   const RobotDescription &robot() const { return m_robot; }
   const MirrorCamera &camera() const { return m_camera; }
   const Limits &limits() const { return m_rig.limits; }

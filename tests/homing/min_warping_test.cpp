@@ -112,7 +112,7 @@ TEST(MinWarping, panoramasOfOtherSizesCompare)
 TEST(MinWarping, refusesWhatItCannotSearch)
 {
   EXPECT_THROW(MinWarping({.columns = 143}), LogicError);
-  EXPECT_THROW(MinWarping({.columns = 300}), LogicError);
+  EXPECT_THROW(MinWarping({.columns = 362}), LogicError);
   EXPECT_THROW(MinWarping({.rows = 4}), LogicError);
   EXPECT_THROW(MinWarping({.planes = 8}), LogicError);
   EXPECT_THROW(MinWarping({.scaleMax = 1.0}), LogicError);

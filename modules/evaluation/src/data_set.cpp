@@ -200,19 +200,30 @@ cv::Mat DataSet::picture(std::size_t index) const
   }
   const fs::path file = m_folder / m_views[index].file;
   cv::Mat picture = decode(file);
-  if (picture.size() != m_pictureSize) {
-    throw ConfigError(file.string() + " has " + pixelsOf(picture.size()) + ", " +
-                      (m_camera ? "its camera " : "the first of its data set ") +
-                      pixelsOf(m_pictureSize) + ": all must be alike");
-  }
+  checkSize(picture, file.string());
   return picture;
+}
+
+void DataSet::checkSize(const cv::Mat &picture, const std::string &name) const
+{
+  if (picture.size() != m_pictureSize) {
+    throw ConfigError(name + " has " + pixelsOf(picture.size()) + ", " +
+                      (m_camera ? "its camera " : "the first picture ") + pixelsOf(m_pictureSize) +
+                      ": all must be alike");
+  }
 }
 
 Panorama DataSet::panorama(std::size_t index) const
 {
-  cv::Mat gray = picture(index);
+  return panoramaOf(picture(index), m_views[index].file);
+}
+
+Panorama DataSet::panoramaOf(const cv::Mat &picture, const std::string &name) const
+{
+  checkSize(picture, name);
+  cv::Mat gray = picture;
   if (gray.channels() == 3) {
-    cv::cvtColor(gray, gray, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(picture, gray, cv::COLOR_BGR2GRAY);
   }
   return m_unwarper ? m_unwarper->unwarp(gray) : toPanorama(gray, m_layout);
 }

@@ -19,7 +19,7 @@ namespace
 
 /** Streams of random numbers, apart from those of the simulator. */
 constexpr std::uint32_t kPoseStream = 401;
-constexpr std::uint32_t kNoiseStream = 10'000; ///< and the number of the first picture
+constexpr std::uint32_t kNoiseStream = 10'000; ///< the first; a million apart for each source's
 
 Eigen::Isometry3d liftPose(const Pose2 &wMr)
 {
@@ -85,7 +85,8 @@ void addRenderedViews(DataSet &set, const ViewSource &source, const std::vector<
       source.exactOptics ? exactOptics(source.camera) : drawOptics(source.camera, source.seed);
   MirrorRenderer renderer(source.scene, lightingFor(light, *source.scene), optics,
                           source.rendering);
-  Random noise(source.seed, kNoiseStream + static_cast<std::uint32_t>(set.size()));
+  Random noise(source.seed, kNoiseStream + 1'000'000 * source.noiseStream +
+                                static_cast<std::uint32_t>(set.size()));
   for (std::size_t i = 0; i < poses.size(); ++i) {
     cv::Mat picture = renderer.render(liftPose(poses[i]) * source.rMp, noise);
     if (!source.colour) {

@@ -147,9 +147,9 @@ std::vector<std::vector<float>> columnSums(const std::vector<float> &logs, std::
 
 void checkColumnFeatureOptions(const ColumnFeatureOptions &options)
 {
-  if (options.columns < 8 || options.columns > 256 || options.columns % 2 != 0) {
+  if (options.columns < 8 || options.columns > 360 || options.columns % 2 != 0) {
     throw LogicError("columns is " + std::to_string(options.columns) +
-                     ", must be even and between 8 and 256");
+                     ", must be even and between 8 and 360");
   }
   if (options.rows < 8 || options.rows > 512) {
     throw LogicError("rows is " + std::to_string(options.rows) + ", must be between 8 and 512");

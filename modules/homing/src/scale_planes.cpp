@@ -11,8 +11,17 @@ namespace homeward
 namespace
 {
 
-/** Largest byte of a distance; leaves head-room for rounding in the columns. */
-constexpr int kDistanceRange = 240;
+/** Largest byte of a distance; so many of them still add up in 16 bits. */
+int largestByte(int columns)
+{
+  return std::min(255, 65535 / columns);
+}
+
+/** Byte steps of a column distance of 1; leaves head-room for rounding in the columns. */
+int distanceRange(int columns)
+{
+  return largestByte(columns) - 15;
+}
 
 int sumOfAbsoluteDifferences(const std::uint8_t *__restrict a, const std::uint8_t *__restrict b,
                              std::size_t size)
@@ -35,13 +44,15 @@ ScalePlanes::ScalePlanes(int columns, int planes, double fullDistance)
 {}
 
 ScalePlanes::ScalePlanes(const ColumnFeatures &first, const ColumnFeatures &second)
-    : ScalePlanes(first.options.columns, 2 * first.options.magnifications - 1, kDistanceRange)
+    : ScalePlanes(first.options.columns, 2 * first.options.magnifications - 1,
+                  distanceRange(first.options.columns))
 {
   const auto rows = static_cast<std::size_t>(first.options.rows);
   const auto columns = static_cast<std::size_t>(m_columns);
   // Two columns of unit norm differ by at most twice their norm.
   const int largest = 2 * kColumnUnit * first.options.rows;
-  const int factor = (kDistanceRange << 16) / largest;
+  const int most = largestByte(m_columns);
+  const int factor = (distanceRange(m_columns) << 16) / largest;
   for (int plane = 0; plane < m_planes; ++plane) {
     const int steps = plane - middlePlane();
     const std::uint8_t *from = first.versions[static_cast<std::size_t>(std::max(0, steps))].data();
@@ -49,7 +60,7 @@ ScalePlanes::ScalePlanes(const ColumnFeatures &first, const ColumnFeatures &seco
     for (std::size_t i = 0; i < columns; ++i) {
       for (std::size_t j = 0; j < columns; ++j) {
         const int sum = sumOfAbsoluteDifferences(from + i * rows, to + j * rows, rows);
-        const auto byte = static_cast<std::uint8_t>(std::min(255, (sum * factor) >> 16));
+        const auto byte = static_cast<std::uint8_t>(std::min(most, (sum * factor) >> 16));
         const std::size_t shift = j >= i ? j - i : j + columns - i;
         const std::size_t at = offset(plane, static_cast<int>(shift)) + i;
         m_bytes[at] = byte;

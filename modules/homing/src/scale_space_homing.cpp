@@ -27,12 +27,6 @@ constexpr double kAmpleMatches = 30.0;
 /** Smallest distance proxy given; below it, noise decides. */
 constexpr double kLeastProxy = 0.005;
 
-struct Keypoints
-{
-  std::vector<cv::KeyPoint> points; ///< x in columns of the panorama
-  cv::Mat descriptors;
-};
-
 /** One landmark in both views. */
 struct ScaleMatch
 {
@@ -41,7 +35,7 @@ struct ScaleMatch
   double logScale; ///< log(scale in the current view / scale in the snapshot)
 };
 
-Keypoints detect(cv::SIFT &sift, const Panorama &panorama)
+ScaleSpaceView detect(cv::SIFT &sift, const Panorama &panorama)
 {
   const cv::Mat gray = grayPicture(panorama);
   const int seam = std::min(kSeamColumns, gray.cols / 2);
@@ -54,7 +48,8 @@ Keypoints detect(cv::SIFT &sift, const Panorama &panorama)
     return point.pt.x >= static_cast<float>(seam) - 0.5F &&
            point.pt.x < static_cast<float>(seam + gray.cols) - 0.5F;
   });
-  Keypoints found;
+  ScaleSpaceView found;
+  found.geometry = panorama.geometry;
   sift.compute(wrapped, kept, found.descriptors);
   for (cv::KeyPoint &point : kept) {
     point.pt.x -= static_cast<float>(seam);
@@ -63,8 +58,7 @@ Keypoints detect(cv::SIFT &sift, const Panorama &panorama)
   return found;
 }
 
-std::vector<ScaleMatch> matchScales(const Keypoints &current, const Panorama &currentView,
-                                    const Keypoints &snapshot, const Panorama &snapshotView,
+std::vector<ScaleMatch> matchScales(const ScaleSpaceView &current, const ScaleSpaceView &snapshot,
                                     double matchRatio)
 {
   std::vector<ScaleMatch> matches;
@@ -72,8 +66,8 @@ std::vector<ScaleMatch> matchScales(const Keypoints &current, const Panorama &cu
     return matches;
   }
   // Keypoint sizes are in pixels of their own panorama.
-  const double pixelRatio = static_cast<double>(snapshotView.geometry.width) /
-                            static_cast<double>(currentView.geometry.width);
+  const double pixelRatio =
+      static_cast<double>(snapshot.geometry.width) / static_cast<double>(current.geometry.width);
   std::vector<std::vector<cv::DMatch>> pairs;
   cv::BFMatcher(cv::NORM_L2).knnMatch(current.descriptors, snapshot.descriptors, pairs, 2);
   matches.reserve(pairs.size());
@@ -83,8 +77,8 @@ std::vector<ScaleMatch> matchScales(const Keypoints &current, const Panorama &cu
     }
     const cv::KeyPoint &c = current.points[static_cast<std::size_t>(pair[0].queryIdx)];
     const cv::KeyPoint &s = snapshot.points[static_cast<std::size_t>(pair[0].trainIdx)];
-    const double bearing = currentView.geometry.azimuth(c.pt.x);
-    const double before = snapshotView.geometry.azimuth(s.pt.x);
+    const double bearing = current.geometry.azimuth(c.pt.x);
+    const double before = snapshot.geometry.azimuth(s.pt.x);
     matches.push_back(
         {bearing, wrapAngle(before - bearing), std::log(c.size / s.size * pixelRatio)});
   }
@@ -134,10 +128,20 @@ ScaleSpaceHoming::ScaleSpaceHoming(const ScaleSpaceOptions &options) : m_options
 std::optional<HomeVector> ScaleSpaceHoming::compute(const Panorama &current,
                                                     const Panorama &snapshot)
 {
+  return match(prepare(current), prepare(snapshot));
+}
+
+ScaleSpaceView ScaleSpaceHoming::prepare(const Panorama &panorama) const
+{
   const cv::Ptr<cv::SIFT> sift =
       cv::SIFT::create(m_options.mostKeypoints, 3, m_options.contrastThreshold);
-  const std::vector<ScaleMatch> matches = matchScales(
-      detect(*sift, current), current, detect(*sift, snapshot), snapshot, m_options.matchRatio);
+  return detect(*sift, panorama);
+}
+
+std::optional<HomeVector> ScaleSpaceHoming::match(const ScaleSpaceView &current,
+                                                  const ScaleSpaceView &snapshot) const
+{
+  const std::vector<ScaleMatch> matches = matchScales(current, snapshot, m_options.matchRatio);
   if (std::ssize(matches) < m_options.leastMatches) {
     return std::nullopt;
   }

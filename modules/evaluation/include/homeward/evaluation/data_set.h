@@ -88,7 +88,16 @@ public:
    */
   cv::Mat picture(std::size_t index) const;
 
+  /**
+   * The panorama of any picture of this set's kind, gray.
+   * @param name for the message
+   * @throw ConfigError naming a picture of the wrong size
+   */
+  Panorama panoramaOf(const cv::Mat &picture, const std::string &name) const;
+
 private:
+  void checkSize(const cv::Mat &picture, const std::string &name) const;
+
   /** What is in memory, or nothing when the picture is a file of m_folder. */
   std::vector<cv::Mat> m_pictures;
   std::vector<DataSetView> m_views;

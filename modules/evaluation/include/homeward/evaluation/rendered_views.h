@@ -35,8 +35,9 @@ struct ViewSource
   Eigen::Isometry3d rMp = Eigen::Isometry3d::Identity(); ///< the mirror's focus on the robot
   MirrorCamera camera;                                   ///< nominal, as the data set has it
   std::uint64_t seed = 1;                                ///< of optics and noise
-  bool exactOptics = false;                              ///< the mirror is as its file says
-  bool colour = false;                                   ///< pictures are BGR instead of gray
+  std::uint32_t noiseStream = 0; ///< pictures of other streams have other noise
+  bool exactOptics = false;      ///< the mirror is as its file says
+  bool colour = false;           ///< pictures are BGR instead of gray
   RenderOptions rendering = {};
 };
 

@@ -12,7 +12,7 @@ namespace homeward
 /** How a panorama becomes columns that compare well across light changes. */
 struct ColumnFeatureOptions
 {
-  int columns = 144;               ///< round the full turn; even, 8 to 256
+  int columns = 144;               ///< round the full turn; even, 8 to 360
   int rows = 80;                   ///< edge values in a column, 8 to 512
   int magnifications = 5;          ///< magnified versions, the first is the picture itself
   double magnificationStep = 1.19; ///< factor from one version to the next, > 1

@@ -14,7 +14,7 @@ class ScalePlanes;
 /** What MinWarping may be told. */
 struct MinWarpingOptions
 {
-  int columns = 144;         ///< resolution of the search round the full turn; even, 8 to 256
+  int columns = 144;         ///< resolution of the search round the full turn; even, 8 to 360
   int rows = 80;             ///< edge values in a column
   int planes = 9;            ///< scale planes; odd, 3 to 31
   double scaleMax = 2.0;     ///< magnification of the outermost planes, > 1

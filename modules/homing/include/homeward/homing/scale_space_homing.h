@@ -3,6 +3,10 @@
 
 #include <homeward/homing/homing_method.h>
 
+#include <opencv2/core/types.hpp>
+
+#include <vector>
+
 namespace homeward
 {
 
@@ -13,6 +17,14 @@ struct ScaleSpaceOptions
   double matchRatio = 0.8;         ///< best over second best descriptor distance, (0, 1)
   int mostKeypoints = 800;         ///< of each panorama, the strongest
   int leastMatches = 6;            ///< fewer give no answer
+};
+
+/** The SIFT keypoints of one panorama. */
+struct ScaleSpaceView
+{
+  PanoramaGeometry geometry;
+  std::vector<cv::KeyPoint> points; ///< x in columns of the panorama
+  cv::Mat descriptors;              ///< a row for each
 };
 
 /**
@@ -33,6 +45,13 @@ public:
   explicit ScaleSpaceHoming(const ScaleSpaceOptions &options = {});
 
   std::optional<HomeVector> compute(const Panorama &current, const Panorama &snapshot) override;
+
+  /** The work that depends on one panorama alone; keep it to compare that panorama often. */
+  ScaleSpaceView prepare(const Panorama &panorama) const;
+
+  /** As compute(), on prepared panoramas. */
+  std::optional<HomeVector> match(const ScaleSpaceView &current,
+                                  const ScaleSpaceView &snapshot) const;
 
 private:
   ScaleSpaceOptions m_options;

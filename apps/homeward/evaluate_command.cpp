@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command.h"
+
+namespace homeward
+{
+
+void addEvaluateCommand(CLI::App &app, int &status)
+{
+  CLI::App *evaluate = app.add_subcommand("evaluate", "Measure against the truth");
+  evaluate->require_subcommand(1);
+  addEvaluateHomingCommand(*evaluate, status);
+  addDataSetCommand(*evaluate, status);
+}
+
+} // namespace homeward
