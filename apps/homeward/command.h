@@ -18,10 +18,12 @@ void addMapCommand(CLI::App &app, int &status);
 void addUnwrapCommand(CLI::App &app, int &status);
 void addScanCommand(CLI::App &app, int &status);
 void addHomeCommand(CLI::App &app, int &status);
+void addLocalizeCommand(CLI::App &app, int &status);
 void addEvaluateCommand(CLI::App &app, int &status);
 
 /** Each adds its subcommand of `evaluate`. */
 void addEvaluateHomingCommand(CLI::App &evaluate, int &status);
+void addEvaluatePlacesCommand(CLI::App &evaluate, int &status);
 void addDataSetCommand(CLI::App &evaluate, int &status);
 
 } // namespace homeward

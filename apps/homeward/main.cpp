@@ -26,6 +26,7 @@ int main(int argc, char **argv)
   homeward::addUnwrapCommand(app, status);
   homeward::addScanCommand(app, status);
   homeward::addHomeCommand(app, status);
+  homeward::addLocalizeCommand(app, status);
   homeward::addEvaluateCommand(app, status);
   try {
     app.parse(argc, argv);

@@ -6,6 +6,7 @@
 #include <homeward/place/signature.h>
 
 #include <gmock/gmock.h>
+#include <opencv2/imgproc.hpp>
 
 #include <array>
 #include <numeric>
@@ -40,6 +41,18 @@ TEST(Histogram, emptyBinsAddNothing)
   EXPECT_DOUBLE_EQ(chiSquare(a, a), 0.0);
 }
 
+TEST(Histogram, hellingerByHand)
+{
+  const std::array<float, 2> a{9, 7};
+  const std::array<float, 2> b{1, 0};
+  EXPECT_NEAR(hellingerDistance(a, b), std::sqrt(1.0 - 0.75), 1e-12);
+  const std::array<float, 2> thrice{27, 21};
+  EXPECT_NEAR(hellingerDistance(a, thrice), 0.0, 1e-12) << "counts are taken as shares";
+  const std::array<float, 2> zero{0, 0};
+  EXPECT_DOUBLE_EQ(hellingerDistance(zero, zero), 0.0);
+  EXPECT_DOUBLE_EQ(hellingerDistance(zero, a), 1.0);
+}
+
 TEST(Histogram, cosineOfNothing)
 {
   const std::array<float, 2> zero{0, 0};
@@ -54,6 +67,7 @@ TEST(Histogram, differentNumbersOfBinsAreRefused)
   EXPECT_THROW(jeffreyDivergence(kReference, five), LogicError);
   EXPECT_THROW(chiSquare(kReference, five), LogicError);
   EXPECT_THROW(sumOfAbsoluteDifferences(kReference, five), LogicError);
+  EXPECT_THROW(hellingerDistance(kReference, five), LogicError);
 }
 
 class SignatureLaw : public testing::TestWithParam<SignatureKind>
@@ -92,6 +106,50 @@ TEST_P(SignatureLaw, turnedByWholeColumnsItIsTheSame)
   }
 }
 
+/** Coloured cloud; neighbouring pixels are alike, as in any picture. */
+Panorama cloud(unsigned seed, const PanoramaGeometry &geometry)
+{
+  cv::Mat coarse(geometry.height / 8, geometry.width / 8, CV_8UC3);
+  cv::RNG(seed).fill(coarse, cv::RNG::UNIFORM, 0, 256);
+  Panorama panorama{cv::Mat(), geometry};
+  cv::resize(coarse, panorama.image, {geometry.width, geometry.height}, 0, 0, cv::INTER_LINEAR);
+  return panorama;
+}
+
+TEST_P(SignatureLaw, rolledColumnsChangeNothing)
+{
+  // The second width has no half, the third has fewer frequencies than signatures take.
+  for (const int width : {360, 361, 40}) {
+    const PanoramaGeometry geometry{.width = width, .height = 80};
+    const Panorama straight = cloud(5, geometry);
+    Panorama turned = straight;
+    cv::hconcat(straight.image.colRange(17, width), straight.image.colRange(0, 17), turned.image);
+    const Signature here = makeSignature(straight, GetParam());
+    const double elsewhere = dissimilarity(here, makeSignature(cloud(6, geometry), GetParam()));
+    EXPECT_GT(elsewhere, 0.0);
+    EXPECT_LT(dissimilarity(here, makeSignature(turned, GetParam())), 1e-3 * elsewhere) << width;
+  }
+}
+
+TEST_P(SignatureLaw, statesItsSizeAndWhatItIsMadeOf)
+{
+  const Signature here = sign({});
+  const SignatureTraits &kind = traits(GetParam());
+  EXPECT_EQ(kind.kind, GetParam());
+  EXPECT_EQ(byteSize(here), here.values.size() * (kind.bytes ? 1 : 4));
+  EXPECT_FALSE(kind.invariances.empty());
+  EXPECT_THAT(here.values, testing::Each(testing::Ge(0.0F)));
+  if (kind.bytes) {
+    EXPECT_THAT(here.values, testing::Each(testing::AllOf(
+                                 testing::Le(255.0F),
+                                 testing::ResultOf([](float v) { return v - std::floor(v); },
+                                                   testing::Eq(0.0F)))));
+  }
+  if (!kind.perPixel) {
+    EXPECT_LE(dissimilarity(here, sign({1.6, 1.2, 0.5})), 1.0);
+  }
+}
+
 TEST_P(SignatureLaw, growsWithTheDistance)
 {
   const Signature home = sign({0.0, 0.0, 0.0});
@@ -121,11 +179,63 @@ TEST_P(SignatureLaw, otherSizesAreRefused)
   EXPECT_THROW(dissimilarity(large, sign({})), LogicError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, SignatureLaw,
-                         testing::Values(SignatureKind::Jeffrey, SignatureKind::ChiSquare,
-                                         SignatureKind::AbsoluteDifferences, SignatureKind::Fourier,
-                                         SignatureKind::EdgeFourier),
+std::vector<SignatureKind> allKinds()
+{
+  std::vector<SignatureKind> kinds;
+  for (const SignatureTraits &kind : signatureKinds()) {
+    kinds.push_back(kind.kind);
+  }
+  return kinds;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SignatureLaw, testing::ValuesIn(allKinds()),
                          [](const auto &instance) { return std::string(name(instance.param)); });
+
+TEST(Signature, spectrumIsTheDiscreteFourierTransform)
+{
+  const PanoramaGeometry geometry{.width = 75, .height = 2};
+  Panorama panorama{cv::Mat(2, 75, CV_8UC1), geometry};
+  cv::RNG(3).fill(panorama.image, cv::RNG::UNIFORM, 0, 256);
+  const Signature signature = makeSignature(panorama, SignatureKind::Fourier);
+  ASSERT_EQ(signature.values.size(), 60U);
+  cv::Mat rows;
+  panorama.image.convertTo(rows, CV_32F);
+  cv::dft(rows, rows, cv::DFT_ROWS | cv::DFT_COMPLEX_OUTPUT);
+  for (int f = 0; f < 30; ++f) {
+    const auto expected = rows.at<cv::Vec2f>(1, f);
+    EXPECT_NEAR(signature.values[30 + static_cast<std::size_t>(f)],
+                std::hypot(expected[0], expected[1]), 0.02);
+  }
+}
+
+TEST(Signature, coloursTellApartWhatIsEquallyBright)
+{
+  const PanoramaGeometry geometry{.width = 8, .height = 4};
+  const auto sign = [&](const cv::Scalar &colour, SignatureKind kind) {
+    return makeSignature({cv::Mat(4, 8, CV_8UC3, colour), geometry}, kind);
+  };
+  const cv::Scalar red(0, 0, 200);
+  const cv::Scalar green(0, 102, 0); // as bright in gray
+  EXPECT_DOUBLE_EQ(
+      dissimilarity(sign(red, SignatureKind::Jeffrey), sign(green, SignatureKind::Jeffrey)), 0.0);
+  for (const SignatureKind kind : {SignatureKind::Hsv, SignatureKind::Opponent}) {
+    EXPECT_DOUBLE_EQ(dissimilarity(sign(red, kind), sign(green, kind)), 1.0) << name(kind);
+  }
+}
+
+TEST(Signature, bandsTellApartWhatHasTheSameHistogram)
+{
+  const PanoramaGeometry geometry{.width = 8, .height = 16};
+  Panorama bright{cv::Mat(16, 8, CV_8UC1, cv::Scalar(20)), geometry};
+  bright.image.rowRange(0, 8).setTo(220);
+  Panorama turned{cv::Mat(), geometry};
+  cv::flip(bright.image, turned.image, 0);
+  const auto compare = [&](SignatureKind kind) {
+    return dissimilarity(makeSignature(bright, kind), makeSignature(turned, kind));
+  };
+  EXPECT_DOUBLE_EQ(compare(SignatureKind::AbsoluteDifferences), 0.0);
+  EXPECT_DOUBLE_EQ(compare(SignatureKind::Bands), 2.0);
+}
 
 TEST(Signature, edgesSurviveALightChangeThatHistogramsDoNot)
 {
@@ -138,6 +248,8 @@ TEST(Signature, edgesSurviveALightChangeThatHistogramsDoNot)
   const Pose2 far{1.6, 1.2, 1.0};
   EXPECT_LT(compare(SignatureKind::EdgeFourier, {}, dusk),
             compare(SignatureKind::EdgeFourier, far, {}));
+  EXPECT_LT(compare(SignatureKind::EdgeBytes, {}, dusk),
+            compare(SignatureKind::EdgeBytes, far, {}));
   EXPECT_GT(compare(SignatureKind::Jeffrey, {}, dusk), compare(SignatureKind::Jeffrey, far, {}));
 }
 

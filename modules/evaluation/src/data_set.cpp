@@ -225,7 +225,19 @@ Panorama DataSet::panoramaOf(const cv::Mat &picture, const std::string &name) co
   if (gray.channels() == 3) {
     cv::cvtColor(picture, gray, cv::COLOR_BGR2GRAY);
   }
-  return m_unwarper ? m_unwarper->unwarp(gray) : toPanorama(gray, m_layout);
+  return toGeometry(gray);
+}
+
+Panorama DataSet::colourPanorama(std::size_t index) const
+{
+  const cv::Mat taken = picture(index);
+  checkSize(taken, m_views[index].file);
+  return toGeometry(taken);
+}
+
+Panorama DataSet::toGeometry(const cv::Mat &picture) const
+{
+  return m_unwarper ? m_unwarper->unwarp(picture) : toPanorama(picture, m_layout);
 }
 
 } // namespace homeward

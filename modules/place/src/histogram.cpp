@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace homeward
@@ -55,6 +56,22 @@ double sumOfAbsoluteDifferences(std::span<const float> a, std::span<const float>
     sum += std::abs(static_cast<double>(a[k]) - b[k]);
   }
   return sum;
+}
+
+double hellingerDistance(std::span<const float> a, std::span<const float> b)
+{
+  requireSameSize(a, b);
+  const double sumA = std::accumulate(a.begin(), a.end(), 0.0);
+  const double sumB = std::accumulate(b.begin(), b.end(), 0.0);
+  if (sumA == 0.0 || sumB == 0.0) {
+    return sumA == sumB ? 0.0 : 1.0;
+  }
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const double difference = std::sqrt(a[k] / sumA) - std::sqrt(b[k] / sumB);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum / 2.0);
 }
 
 double cosineDistance(std::span<const float> a, std::span<const float> b)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/place/signature.h>
 
+#include "signature_values.h"
+
 #include <homeward/core/error.h>
 #include <homeward/place/histogram.h>
 
@@ -8,9 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
-#include <utility>
 
 namespace homeward
 {
@@ -18,23 +18,27 @@ namespace homeward
 namespace
 {
 
-constexpr int kFrequencies = 30;
-constexpr int kGrayLevels = 256;
-/** Rows of edges that share one spectrum; more tolerate more displacement and tell less. */
-constexpr int kBandRows = 8;
-/** Added to gray levels before the logarithm. */
-constexpr double kDarkLevel = 4.0;
+using Kind = SignatureKind;
+using Distance = SignatureDistance;
 
-constexpr std::array<std::pair<std::string_view, SignatureKind>, 5> kNames{{
-    {"jeffrey", SignatureKind::Jeffrey},
-    {"chi_square", SignatureKind::ChiSquare},
-    {"sad", SignatureKind::AbsoluteDifferences},
-    {"fourier", SignatureKind::Fourier},
-    {"edge_fourier", SignatureKind::EdgeFourier},
-}};
+constexpr std::array kKinds{
+    SignatureTraits{Kind::Jeffrey, "jeffrey", Distance::Jeffrey, true, false, "none"},
+    SignatureTraits{Kind::ChiSquare, "chi_square", Distance::ChiSquare, true, false, "none"},
+    SignatureTraits{Kind::AbsoluteDifferences, "sad", Distance::L1, true, false, "none"},
+    SignatureTraits{Kind::Hellinger, "hellinger", Distance::Hellinger, false, false, "none"},
+    SignatureTraits{Kind::Bands, "bands", Distance::L1, true, false, "none"},
+    SignatureTraits{Kind::Hsv, "hsv", Distance::Hellinger, false, false, "none"},
+    SignatureTraits{Kind::Opponent, "opponent", Distance::Hellinger, false, false,
+                    "brightness, but for its four levels"},
+    SignatureTraits{Kind::Fourier, "fourier", Distance::L1, true, false, "none"},
+    SignatureTraits{Kind::EdgeFourier, "edge_fourier", Distance::Cosine, false, false,
+                    "gain, contrast of each band"},
+    SignatureTraits{Kind::EdgeBytes, "edge_bytes", Distance::L1, false, true,
+                    "gain, contrast of each band"},
+};
 
-/** The rows that show the scene all round, in gray. */
-cv::Mat visibleGray(const Panorama &panorama, const cv::Mat &visible)
+/** The rows that show the scene all round. */
+cv::Mat visibleRows(const Panorama &panorama, const cv::Mat &visible)
 {
   const cv::Mat &image = panorama.image;
   if (image.empty() || image.cols != panorama.geometry.width ||
@@ -44,138 +48,133 @@ cv::Mat visibleGray(const Panorama &panorama, const cv::Mat &visible)
                      std::to_string(image.cols) + " x " + std::to_string(image.rows) +
                      " of OpenCV type " + std::to_string(image.type()));
   }
-  cv::Mat gray = image;
-  if (image.type() == CV_8UC3) {
-    cv::cvtColor(image, gray, cv::COLOR_BGR2GRAY);
-  }
   if (visible.empty()) {
-    return gray;
+    return image;
   }
   if (visible.size() != image.size() || visible.type() != CV_8UC1) {
     throw LogicError("mask of visible pixels must be 8-bit gray and of the picture's size");
   }
   cv::Mat kept;
-  for (int row = 0; row < gray.rows; ++row) {
+  for (int row = 0; row < image.rows; ++row) {
     if (cv::countNonZero(visible.row(row)) == visible.cols) {
-      kept.push_back(gray.row(row));
+      kept.push_back(image.row(row));
     }
+  }
+  if (kept.empty()) {
+    throw LogicError("mask of visible pixels leaves no whole row of the panorama");
   }
   return kept;
 }
 
-std::vector<float> histogram(const cv::Mat &gray)
+cv::Mat inGray(const cv::Mat &image)
 {
-  std::vector<float> counts(kGrayLevels, 0.0F);
-  for (int row = 0; row < gray.rows; ++row) {
-    const auto *pixels = gray.ptr<std::uint8_t>(row);
-    for (int u = 0; u < gray.cols; ++u) {
-      counts[pixels[u]] += 1.0F;
-    }
+  cv::Mat gray = image;
+  if (image.type() == CV_8UC3) {
+    cv::cvtColor(image, gray, cv::COLOR_BGR2GRAY);
   }
-  return counts;
+  return gray;
 }
 
-/** Magnitudes of the lowest frequencies of each row, by row and frequency (0 first). */
-cv::Mat rowSpectra(const cv::Mat &rows)
+cv::Mat inColour(const cv::Mat &image)
 {
-  cv::Mat transformed;
-  cv::dft(rows, transformed, cv::DFT_ROWS | cv::DFT_COMPLEX_OUTPUT);
-  cv::Mat magnitudes = cv::Mat::zeros(rows.rows, kFrequencies, CV_32F);
-  for (int row = 0; row < rows.rows; ++row) {
-    for (int f = 0; f < std::min(kFrequencies, rows.cols / 2 + 1); ++f) {
-      const auto &value = transformed.at<cv::Vec2f>(row, f);
-      magnitudes.at<float>(row, f) = std::hypot(value[0], value[1]);
-    }
+  cv::Mat bgr = image;
+  if (image.type() == CV_8UC1) {
+    cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
   }
-  return magnitudes;
+  return bgr;
 }
 
-/** Signed square roots of the vertical steps of the log intensity. */
-cv::Mat verticalEdges(const cv::Mat &gray)
+std::vector<float> valuesOf(const cv::Mat &image, SignatureKind kind)
 {
-  cv::Mat logs;
-  gray.convertTo(logs, CV_32F, 1.0, kDarkLevel);
-  cv::log(logs, logs);
-  cv::Mat steps = logs.rowRange(0, logs.rows - 1) - logs.rowRange(1, logs.rows);
-  for (int row = 0; row < steps.rows; ++row) {
-    auto *values = steps.ptr<float>(row);
-    for (int u = 0; u < steps.cols; ++u) {
-      values[u] = std::copysign(std::sqrt(std::abs(values[u])), values[u]);
-    }
+  switch (kind) {
+  case Kind::Bands:
+    return bandHistograms(inGray(image));
+  case Kind::Hsv:
+    return hsvHistogram(inColour(image));
+  case Kind::Opponent:
+    return opponentHistogram(inColour(image));
+  case Kind::Fourier:
+    return fourierMagnitudes(inGray(image));
+  case Kind::EdgeFourier:
+    return edgeMagnitudes(inGray(image));
+  case Kind::EdgeBytes:
+    return edgeBytes(inGray(image));
+  case Kind::Jeffrey:
+  case Kind::ChiSquare:
+  case Kind::AbsoluteDifferences:
+  case Kind::Hellinger:
+    break;
   }
-  return steps;
+  return grayHistogram(inGray(image));
 }
 
-std::vector<float> fourier(const cv::Mat &gray)
+double distanceOf(SignatureDistance distance, const Signature &a, const Signature &b)
 {
-  cv::Mat rows;
-  gray.convertTo(rows, CV_32F);
-  const cv::Mat spectra = rowSpectra(rows);
-  return {spectra.begin<float>(), spectra.end<float>()};
-}
-
-std::vector<float> edgeFourier(const cv::Mat &gray)
-{
-  if (gray.rows < 2) {
-    return {};
+  switch (distance) {
+  case Distance::Jeffrey:
+    return jeffreyDivergence(a.values, b.values);
+  case Distance::ChiSquare:
+    return chiSquare(a.values, b.values);
+  case Distance::L1:
+    return sumOfAbsoluteDifferences(a.values, b.values);
+  case Distance::Hellinger:
+    return hellingerDistance(a.values, b.values);
+  case Distance::Cosine:
+    break;
   }
-  const cv::Mat spectra = rowSpectra(verticalEdges(gray));
-  std::vector<float> values;
-  for (int top = 0; top < spectra.rows; top += kBandRows) {
-    const cv::Mat rows = spectra.rowRange(top, std::min(spectra.rows, top + kBandRows));
-    cv::Mat band;
-    cv::reduce(rows, band, 0, cv::REDUCE_SUM);
-    // Bands count alike, whatever their contrast.
-    const double length = cv::norm(band);
-    band *= length > 0.0 ? 1.0 / length : 0.0;
-    values.insert(values.end(), band.begin<float>(), band.end<float>());
-  }
-  return values;
+  return cosineDistance(a.values, b.values);
 }
 
 } // namespace
 
+std::span<const SignatureTraits> signatureKinds()
+{
+  return kKinds;
+}
+
+const SignatureTraits &traits(SignatureKind kind)
+{
+  return kKinds.at(static_cast<std::size_t>(kind));
+}
+
 SignatureKind parseSignatureKind(std::string_view name)
 {
-  for (const auto &[known, kind] : kNames) {
-    if (known == name) {
-      return kind;
+  std::string known;
+  for (const SignatureTraits &candidate : kKinds) {
+    if (candidate.name == name) {
+      return candidate.kind;
     }
+    known += (known.empty() ? "" : ", ") + std::string(candidate.name);
   }
-  throw ConfigError("signature '" + std::string(name) +
-                    "' is unknown, use jeffrey, chi_square, sad, fourier or edge_fourier");
+  throw ConfigError("signature '" + std::string(name) + "' is unknown, use one of " + known);
 }
 
 std::string_view name(SignatureKind kind)
 {
-  const auto *const found = std::find_if(kNames.begin(), kNames.end(),
-                                         [&](const auto &entry) { return entry.second == kind; });
-  return found->first;
+  return traits(kind).name;
+}
+
+std::size_t byteSize(const Signature &signature)
+{
+  return signature.values.size() * (traits(signature.kind).bytes ? 1 : sizeof(float));
+}
+
+double dissimilarityUnit(const Signature &signature)
+{
+  const SignatureTraits &kind = traits(signature.kind);
+  if (kind.perPixel) {
+    return std::max(1, signature.pixels);
+  }
+  constexpr double kByteRange = 255.0;
+  return kind.bytes
+             ? kByteRange * static_cast<double>(std::max<std::size_t>(1, signature.values.size()))
+             : 1.0;
 }
 
 Signature makeSignature(const Panorama &panorama, SignatureKind kind, const cv::Mat &visible)
 {
-  const cv::Mat gray = visibleGray(panorama, visible);
-  if (gray.empty()) {
-    throw LogicError("mask of visible pixels leaves no whole row of the panorama");
-  }
-  Signature signature;
-  signature.kind = kind;
-  signature.pixels = static_cast<int>(gray.total());
-  switch (kind) {
-  case SignatureKind::Jeffrey:
-  case SignatureKind::ChiSquare:
-  case SignatureKind::AbsoluteDifferences:
-    signature.values = histogram(gray);
-    break;
-  case SignatureKind::Fourier:
-    signature.values = fourier(gray);
-    break;
-  case SignatureKind::EdgeFourier:
-    signature.values = edgeFourier(gray);
-    break;
-  }
-  return signature;
+  const cv::Mat image = visibleRows(panorama, visible);
+  return {kind, static_cast<int>(image.total()), valuesOf(image, kind)};
 }
 
 double dissimilarity(const Signature &a, const Signature &b)
@@ -185,19 +184,7 @@ double dissimilarity(const Signature &a, const Signature &b)
                      " pixels and " + std::string(name(b.kind)) + " of " +
                      std::to_string(b.pixels) + " pixels cannot be compared");
   }
-  const double pixels = std::max(1, a.pixels);
-  switch (a.kind) {
-  case SignatureKind::Jeffrey:
-    return jeffreyDivergence(a.values, b.values) / pixels;
-  case SignatureKind::ChiSquare:
-    return chiSquare(a.values, b.values) / pixels;
-  case SignatureKind::AbsoluteDifferences:
-  case SignatureKind::Fourier:
-    return sumOfAbsoluteDifferences(a.values, b.values) / pixels;
-  case SignatureKind::EdgeFourier:
-    break;
-  }
-  return cosineDistance(a.values, b.values);
+  return distanceOf(traits(a.kind).distance, a, b) / dissimilarityUnit(a);
 }
 
 } // namespace homeward

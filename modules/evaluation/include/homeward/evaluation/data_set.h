@@ -82,6 +82,9 @@ public:
    */
   Panorama panorama(std::size_t index) const;
 
+  /** As panorama(), in colour where the picture is. */
+  Panorama colourPanorama(std::size_t index) const;
+
   /**
    * The picture of a view as it was given or stored.
    * @throw ConfigError as panorama()
@@ -96,6 +99,8 @@ public:
   Panorama panoramaOf(const cv::Mat &picture, const std::string &name) const;
 
 private:
+  Panorama toGeometry(const cv::Mat &picture) const;
+
   void checkSize(const cv::Mat &picture, const std::string &name) const;
 
   /** What is in memory, or nothing when the picture is a file of m_folder. */

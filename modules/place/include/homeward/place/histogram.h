@@ -21,6 +21,13 @@ double chiSquare(std::span<const float> a, std::span<const float> b);
 /** sum of |a - b|. As jeffreyDivergence(). */
 double sumOfAbsoluteDifferences(std::span<const float> a, std::span<const float> b);
 
+/**
+ * sqrt(sum of (sqrt(p) - sqrt(q))^2 / 2) of the histograms p = a / sum a, q = b / sum b: 0 to 1
+ * whatever the counts; 0 when both are empty, 1 when one is.
+ * @throw LogicError when the sizes differ
+ */
+double hellingerDistance(std::span<const float> a, std::span<const float> b);
+
 /** 1 - cosine of the angle between a and b, 0 to 2; 0 when both are zero, 1 when one is. */
 double cosineDistance(std::span<const float> a, std::span<const float> b);
 

@@ -4,6 +4,9 @@
 #include <homeward/core/id.h>
 #include <homeward/place/signature.h>
 
+#include <cstddef>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace homeward
@@ -13,37 +16,67 @@ namespace homeward
 struct Match
 {
   NodeId node;
-  double dissimilarity = 0.0; ///< per pixel, see homeward::dissimilarity()
+  double dissimilarity = 0.0; ///< see homeward::dissimilarity()
 };
 
-/** Which known place is this? All signatures in memory, compared one by one. */
+/** How PlaceIndex computes. */
+struct PlaceIndexOptions
+{
+  int threads = 1;        ///< at least 1; the answers do not depend on it
+  bool vectorised = true; ///< false: plain C++ in double precision, to test against
+};
+
+/**
+ * Which known place is this? Exhaustive and exact: every signature is compared, with the relative
+ * error of single precision (Jeffrey: 1e-4).
+ *
+ * Signatures lie one after the other in one block of memory, ready to be compared; see
+ * bytesPerNode().
+ */
 class PlaceIndex
 {
 public:
-  explicit PlaceIndex(SignatureKind kind) : m_kind(kind) {}
+  /** @throw LogicError unless threads >= 1 */
+  explicit PlaceIndex(SignatureKind kind, const PlaceIndexOptions &options = {});
+  ~PlaceIndex();
+  PlaceIndex(PlaceIndex &&) noexcept;
+  PlaceIndex &operator=(PlaceIndex &&) noexcept;
 
-  /** @throw LogicError when the node is known, or the signature is of another kind or size */
-  void add(NodeId node, Signature signature);
+  /**
+   * @throw LogicError when the node is known, a value is negative or not finite, or the signature
+   * is of another kind or size
+   */
+  void add(NodeId node, const Signature &signature);
 
   /** @throw LogicError when the node is unknown */
   void remove(NodeId node);
 
-  /** The `count` most similar places (fewer when fewer are known), best first; ties by id. */
+  /** Makes room, so that adding up to `count` nodes moves nothing. */
+  void reserve(std::size_t count);
+
+  /**
+   * The `count` most similar places (fewer when fewer are known), best first; ties by id.
+   * @throw LogicError when the query is of another kind or size; so do all queries
+   */
   std::vector<Match> nearest(const Signature &query, std::size_t count) const;
+
+  /** nearest() of many queries in one pass over the memory. */
+  std::vector<std::vector<Match>> nearest(std::span<const Signature> queries,
+                                          std::size_t count) const;
 
   /** All places nearer than `limit`, best first; ties by id. */
   std::vector<Match> within(const Signature &query, double limit) const;
 
-  SignatureKind kind() const { return m_kind; }
-  std::size_t size() const { return m_nodes.size(); }
+  SignatureKind kind() const;
+  std::size_t size() const;
   bool contains(NodeId node) const;
 
-private:
-  std::vector<Match> all(const Signature &query) const;
+  /** Memory that a node takes in the block, 0 before the first. */
+  std::size_t bytesPerNode() const;
 
-  SignatureKind m_kind;
-  std::vector<NodeId> m_nodes;
-  std::vector<Signature> m_signatures;
+private:
+  class Impl;
+  std::unique_ptr<Impl> m_impl;
 };
 
 } // namespace homeward

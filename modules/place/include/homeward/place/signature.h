@@ -3,6 +3,8 @@
 
 #include <homeward/camera/panorama.h>
 
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -14,12 +16,43 @@ enum class SignatureKind
 {
   Jeffrey,             ///< gray histogram of 256 bins, Jeffrey divergence
   ChiSquare,           ///< the same histogram, chi-square
-  AbsoluteDifferences, ///< the same histogram, sum of absolute differences
-  Fourier,             ///< magnitudes of 30 row-wise frequencies, L1
-  EdgeFourier          ///< the same of edges in row bands, cosine distance: survives changed light
+  AbsoluteDifferences, ///< the same histogram, L1
+  Hellinger,           ///< the same histogram, Hellinger distance
+  Bands,               ///< gray histograms of 32 bins of 8 bands of elevation, L1
+  Hsv,                 ///< 16 hues x 4 saturations x 4 values, Hellinger distance
+  Opponent,    ///< red-green x yellow-blue (8 x 8, by brightness) x 4 brightnesses, Hellinger
+  Fourier,     ///< magnitudes of 30 row-wise frequencies, L1
+  EdgeFourier, ///< the same of edges in row bands, cosine distance: survives changed light
+  EdgeBytes    ///< the same of edges in 16 bands x 16 frequencies of a byte, L1
 };
 
-/** @throw ConfigError naming the known names: jeffrey, chi_square, sad, fourier, edge_fourier */
+/** How two vectors of values are compared; each has its function in histogram.h. */
+enum class SignatureDistance
+{
+  Jeffrey,
+  ChiSquare,
+  L1,
+  Hellinger,
+  Cosine
+};
+
+/** What is known of a kind before any picture. */
+struct SignatureTraits
+{
+  SignatureKind kind;
+  std::string_view name;
+  SignatureDistance distance;
+  bool perPixel; ///< the distance grows with the panorama and is divided by its pixels
+  bool bytes;    ///< values are whole numbers, 0 to 255
+  std::string_view invariances; ///< what, besides a turn on the spot, does not change it
+};
+
+/** Every kind, in the order of the enumeration. */
+std::span<const SignatureTraits> signatureKinds();
+
+const SignatureTraits &traits(SignatureKind kind);
+
+/** @throw ConfigError naming the known names */
 SignatureKind parseSignatureKind(std::string_view name);
 
 /** The name that parseSignatureKind() reads back. */
@@ -33,11 +66,15 @@ struct Signature
 {
   SignatureKind kind = SignatureKind::Jeffrey;
   int pixels = 0;            ///< how many went into it
-  std::vector<float> values; ///< counts of 256 gray levels, or magnitudes by row (band), frequency
+  std::vector<float> values; ///< >= 0: counts by bin, or magnitudes by row (band) and frequency
 };
 
+/** Bytes of the values as PlaceIndex keeps them, without its padding. */
+std::size_t byteSize(const Signature &signature);
+
 /**
- * The signature of a panorama; colour is turned to 8-bit gray first.
+ * The signature of a panorama. Kinds on gray turn colour to 8-bit gray first; kinds on colour take
+ * a gray picture as a colourless one.
  * @param visible CV_8UC1 of the picture's size, 0 where it shows no scene (Unwarper::visible()), or
  * empty. Rows with a hidden pixel are left out: what hides pixels turns with the robot, the scene
  * does not.
@@ -47,8 +84,8 @@ Signature makeSignature(const Panorama &panorama, SignatureKind kind,
                         const cv::Mat &visible = cv::Mat());
 
 /**
- * How unlike two signatures are, >= 0. Per pixel, so that a threshold holds for panoramas of any
- * size; EdgeFourier gives 0 to 1 whatever the size.
+ * How unlike two signatures are, >= 0. Where SignatureTraits::perPixel it is per pixel, so that a
+ * threshold holds for panoramas of any size; the other kinds give 0 to 1 whatever the size.
  * @throw LogicError when the kinds, pixel counts or sizes differ
  */
 double dissimilarity(const Signature &a, const Signature &b);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "row_distance.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace homeward
+{
+
+namespace
+{
+
+double jeffreyTerm(double rootA, double rootB)
+{
+  const double a = rootA * rootA;
+  const double b = rootB * rootB;
+  const double middle = (a + b) / 2.0;
+  return (a > 0.0 ? a * std::log(a / middle) : 0.0) + (b > 0.0 ? b * std::log(b / middle) : 0.0);
+}
+
+double chiSquareTerm(double a, double b)
+{
+  return a + b > 0.0 ? (a - b) * (a - b) / (a + b) : 0.0;
+}
+
+template <class Element, class Term>
+void sumRows(const std::byte *query, const RowBlock &block, float *distances, Term term)
+{
+  const auto *b = reinterpret_cast<const Element *>(query);
+  const auto *row = reinterpret_cast<const Element *>(block.rows);
+  const std::size_t size = block.rowBytes / sizeof(Element);
+  for (std::size_t r = 0; r < block.count; ++r, row += size) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size; ++i) {
+      sum += term(static_cast<double>(row[i]), static_cast<double>(b[i]));
+    }
+    distances[r] = static_cast<float>(sum);
+  }
+}
+
+} // namespace
+
+void rowDistancesScalar(RowMetric metric, const std::byte *query, const RowBlock &block,
+                        float *distances)
+{
+  const auto absolute = [](double a, double b) { return std::abs(a - b); };
+  switch (metric) {
+  case RowMetric::Jeffrey:
+    return sumRows<float>(query, block, distances, jeffreyTerm);
+  case RowMetric::ChiSquare:
+    return sumRows<float>(query, block, distances, chiSquareTerm);
+  case RowMetric::Absolute:
+    return sumRows<float>(query, block, distances, absolute);
+  case RowMetric::SquaredDifference:
+    return sumRows<float>(query, block, distances,
+                          [](double a, double b) { return (a - b) * (a - b); });
+  case RowMetric::AbsoluteBytes:
+    return sumRows<std::uint8_t>(query, block, distances, absolute);
+  }
+}
+
+} // namespace homeward
