@@ -4,7 +4,7 @@
 find_package(Threads REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(Eigen3 REQUIRED)
-find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d videoio aruco)
+find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d videoio video aruco)
 find_package(VISP 3.5 REQUIRED)
 find_package(Boost REQUIRED)
 find_package(urdfdom REQUIRED)
@@ -19,6 +19,7 @@ find_package(ZLIB REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 
 # Packages without (namespaced) targets get one, so that module lines read alike.
 add_library(homeward_urdfdom INTERFACE)

@@ -3,7 +3,7 @@
 #include "files.h"
 
 #include <homeward/core/error.h>
-#include <homeward/evaluation/data_set.h>
+#include <homeward/dataset/data_set.h>
 #include <homeward/homing/homing_method.h>
 
 #include <nlohmann/json.hpp>

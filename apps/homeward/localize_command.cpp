@@ -3,7 +3,7 @@
 #include "files.h"
 
 #include <homeward/core/error.h>
-#include <homeward/evaluation/data_set.h>
+#include <homeward/dataset/data_set.h>
 #include <homeward/evaluation/localization_run.h>
 #include <homeward/store/map_file.h>
 #include <homeward/topology/planner.h>

@@ -103,23 +103,30 @@ double residual(const Sight &sight, const Unknowns &x, Eigen::Matrix<double, 1, 
   return wrapAngle(sight.bearing - std::atan2(away.y(), away.x()) + heading + x[2]);
 }
 
-/** Landmarks where their sights cross, for a camera in the robot's middle with this yaw. */
+/**
+ * Landmarks where their sights cross, for a camera in the robot's middle with this yaw. What was
+ * seen on the spot alone crosses in the camera itself: a weak belief puts it some metres away.
+ */
 Unknowns crossed(const std::vector<Sight> &sights, int landmarks, double yaw)
 {
+  constexpr double kUsual = 3.0;    // metres
+  constexpr double kBelief = 0.002; // of a sight
+  const auto count = static_cast<std::size_t>(landmarks);
+  std::vector<Eigen::Matrix2d> A(count, Eigen::Matrix2d::Zero());
+  std::vector<Eigen::Vector2d> b(count, Eigen::Vector2d::Zero());
+  for (const Sight &sight : sights) {
+    const double angle = sight.bearing + sight.oMr.heading + yaw;
+    const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d normal(-along.y(), along.x());
+    const Eigen::Vector2d eye = sight.oMr.translation();
+    const auto i = static_cast<std::size_t>(sight.landmark);
+    A[i] += normal * normal.transpose() + kBelief * Eigen::Matrix2d::Identity();
+    b[i] += normal * normal.dot(eye) + kBelief * (eye + kUsual * along);
+  }
   Unknowns x = Unknowns::Zero(kMount + 2 * landmarks);
   x[2] = yaw;
-  for (int i = 0; i < landmarks; ++i) {
-    Eigen::Matrix2d A = 1e-6 * Eigen::Matrix2d::Identity();
-    Eigen::Vector2d b = Eigen::Vector2d::Zero();
-    for (const Sight &sight : sights) {
-      if (sight.landmark == i) {
-        const double angle = sight.bearing + sight.oMr.heading + yaw;
-        const Eigen::Vector2d normal(-std::sin(angle), std::cos(angle));
-        A += normal * normal.transpose();
-        b += normal * normal.dot(sight.oMr.translation());
-      }
-    }
-    x.segment<2>(kMount + 2 * i) = A.inverse() * b;
+  for (std::size_t i = 0; i < count; ++i) {
+    x.segment<2>(kMount + 2 * static_cast<Eigen::Index>(i)) = A[i].inverse() * b[i];
   }
   return x;
 }
@@ -139,7 +146,8 @@ double scaleOf(const std::vector<Sight> &sights, const Unknowns &x)
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
   std::nth_element(errors.begin(), middle, errors.end());
   constexpr double kMad = 1.4826;
-  return std::max(kMad * *middle, 1e-6);
+  constexpr double kFinest = 5e-4; // radians; below it, what was sharpest would rule alone
+  return std::max(kMad * *middle, kFinest);
 }
 
 double costOf(const std::vector<Sight> &sights, const Unknowns &x, double scale)
@@ -153,41 +161,90 @@ double costOf(const std::vector<Sight> &sights, const Unknowns &x, double scale)
   return sum;
 }
 
-Eigen::MatrixXd normalMatrix(const std::vector<Sight> &sights, const Unknowns &x, double scale,
-                             Eigen::VectorXd &g)
+/** Normal equations of the mount and of landmarks, which meet only in the mount. */
+struct NormalEquations
 {
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(x.size(), x.size());
-  g.setZero(x.size());
-  Eigen::Matrix<double, 1, 5> J;
-  for (const Sight &sight : sights) {
-    const double error = residual(sight, x, &J);
-    const double weight = weightOf(error, scale);
-    const Eigen::Index at = kMount + 2 * sight.landmark;
-    const Eigen::Index columns[] = {0, 1, 2, at, at + 1};
-    for (int i = 0; i < 5; ++i) {
-      g[columns[i]] += weight * J[i] * error;
-      for (int k = 0; k < 5; ++k) {
-        H(columns[i], columns[k]) += weight * J[i] * J[k];
-      }
+  /** One landmark's part. */
+  struct Landmark
+  {
+    Eigen::Matrix2d own = Eigen::Matrix2d::Zero();
+    Eigen::Matrix<double, 3, 2> withMount = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+  };
+
+  Eigen::Matrix3d mount = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  std::vector<Landmark> landmarks;
+
+  NormalEquations(const std::vector<Sight> &sights, const Unknowns &x, double scale)
+      : landmarks(static_cast<std::size_t>((x.size() - kMount) / 2))
+  {
+    Eigen::Matrix<double, 1, 5> J;
+    for (const Sight &sight : sights) {
+      const double error = residual(sight, x, &J);
+      const double weight = weightOf(error, scale);
+      const auto Jm = J.head<3>();
+      const auto Jl = J.tail<2>();
+      Landmark &landmark = landmarks[static_cast<std::size_t>(sight.landmark)];
+      mount += weight * Jm.transpose() * Jm;
+      gradient += weight * error * Jm.transpose();
+      landmark.own += weight * Jl.transpose() * Jl;
+      landmark.withMount += weight * Jm.transpose() * Jl;
+      landmark.gradient += weight * error * Jl.transpose();
     }
   }
-  return H;
-}
 
-Unknowns refined(const std::vector<Sight> &sights, Unknowns x)
+  /** Every diagonal element grows by its share, as Marquardt has it. */
+  void damp(double share)
+  {
+    constexpr double kLeast = 1e-12;
+    mount.diagonal() *= 1.0 + share;
+    mount.diagonal().array() += kLeast;
+    for (Landmark &landmark : landmarks) {
+      landmark.own.diagonal() *= 1.0 + share;
+      landmark.own.diagonal().array() += kLeast;
+    }
+  }
+
+  /** What is left for the mount when every landmark follows it (Schur's complement). */
+  Eigen::Matrix3d reduced() const
+  {
+    Eigen::Matrix3d S = mount;
+    for (const Landmark &landmark : landmarks) {
+      S -= landmark.withMount * landmark.own.inverse() * landmark.withMount.transpose();
+    }
+    return S;
+  }
+
+  Unknowns solve() const
+  {
+    Eigen::Vector3d right = gradient;
+    for (const Landmark &landmark : landmarks) {
+      right -= landmark.withMount * landmark.own.inverse() * landmark.gradient;
+    }
+    Unknowns step(kMount + 2 * static_cast<Eigen::Index>(landmarks.size()));
+    step.head<3>() = reduced().ldlt().solve(right);
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+      const Landmark &landmark = landmarks[i];
+      step.segment<2>(kMount + 2 * static_cast<Eigen::Index>(i)) =
+          landmark.own.inverse() *
+          (landmark.gradient - landmark.withMount.transpose() * step.head<3>());
+    }
+    return step;
+  }
+};
+
+Unknowns refined(const std::vector<Sight> &sights, Unknowns x, int steps)
 {
-  constexpr int kIterations = 60;
   double damping = 1e-3;
-  Eigen::VectorXd g;
-  for (int i = 0; i < kIterations; ++i) {
+  for (int i = 0; i < steps; ++i) {
     const double scale = scaleOf(sights, x);
     const double cost = costOf(sights, x, scale);
-    Eigen::MatrixXd H = normalMatrix(sights, x, scale, g);
-    H.diagonal() *= 1.0 + damping;
-    H.diagonal().array() += 1e-12;
-    const Unknowns next = x + H.ldlt().solve(g);
+    NormalEquations equations(sights, x, scale);
+    equations.damp(damping);
+    const Unknowns next = x + equations.solve();
     if (next.allFinite() && costOf(sights, next, scale) <= cost) {
-      const bool rests = (next - x).norm() < 1e-12;
+      const bool rests = (next - x).norm() < 1e-9;
       x = next;
       damping = std::max(0.1 * damping, 1e-12);
       if (rests) {
@@ -209,11 +266,14 @@ MountEstimate calibrateMount(const std::vector<MountSample> &drive)
   const std::vector<Sight> sights = sightsOf(drive, estimate.landmarks);
   checkDrive(drive, estimate.landmarks);
   // The starts in whose middle the sights cross best are followed.
-  constexpr int kYaws = 12;
-  constexpr std::size_t kFollowed = 2;
+  constexpr int kYaws = 24;
+  constexpr int kFirstSteps = 4;
+  constexpr int kLastSteps = 60;
+  constexpr std::size_t kFollowed = 3;
   std::vector<std::pair<double, Unknowns>> starts;
   for (int i = 0; i < kYaws; ++i) {
-    const Unknowns x = crossed(sights, estimate.landmarks, 2.0 * kPi * i / kYaws - kPi);
+    const Unknowns x = refined(
+        sights, crossed(sights, estimate.landmarks, 2.0 * kPi * i / kYaws - kPi), kFirstSteps);
     starts.emplace_back(scaleOf(sights, x), x);
   }
   std::sort(starts.begin(), starts.end(),
@@ -221,7 +281,7 @@ MountEstimate calibrateMount(const std::vector<MountSample> &drive)
   Unknowns best;
   double scale = 0.0;
   for (std::size_t i = 0; i < kFollowed; ++i) {
-    const Unknowns x = refined(sights, starts[i].second);
+    const Unknowns x = refined(sights, starts[i].second, kLastSteps);
     const double here = scaleOf(sights, x);
     if (best.size() == 0 || here < scale) {
       best = x;
@@ -235,12 +295,10 @@ MountEstimate calibrateMount(const std::vector<MountSample> &drive)
     sum += error * error;
     weighted += weightOf(error, scale) * error * error;
   }
-  Eigen::VectorXd g;
-  const Eigen::MatrixXd H = normalMatrix(sights, best, scale, g);
+  NormalEquations equations(sights, best, scale);
+  equations.damp(0.0);
   const double spare = std::max(static_cast<double>(sights.size()) - double(best.size()), 1.0);
-  const Eigen::MatrixXd inverse =
-      H.ldlt().solve(Eigen::MatrixXd::Identity(best.size(), best.size()));
-  estimate.covariance = inverse.topLeftCorner<3, 3>() * weighted / spare;
+  estimate.covariance = equations.reduced().inverse() * weighted / spare;
   estimate.rms = std::sqrt(sum / static_cast<double>(sights.size()));
   estimate.rMp = {best[0], best[1], wrapAngle(best[2])};
   if (!estimate.covariance.allFinite() || (estimate.covariance.diagonal().array() < 0.0).any()) {

@@ -20,6 +20,9 @@ void addQuickCommand(CLI::App &app, int &status);
 /** Prints targets to scale. */
 void addTargetCommand(CLI::App &app, int &status);
 
+/** Where the camera sits on the robot. */
+void addMountCommand(CLI::App &app, int &status);
+
 /** One camera file from another: formats and models. */
 void addConvertCommand(CLI::App &app, int &status);
 

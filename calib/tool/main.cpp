@@ -23,6 +23,7 @@ int main(int argc, char **argv)
   homeward::addCalibrateCommand(app, status);
   homeward::addQuickCommand(app, status);
   homeward::addTargetCommand(app, status);
+  homeward::addMountCommand(app, status);
   homeward::addConvertCommand(app, status);
   try {
     app.parse(argc, argv);

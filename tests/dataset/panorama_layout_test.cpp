@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <homeward/evaluation/panorama_layout.h>
+#include <homeward/dataset/panorama_layout.h>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <homeward/evaluation/data_set.h>
+#include <homeward/dataset/data_set.h>
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include <homeward/core/error.h>
 #include <homeward/core/random.h>
-#include <homeward/evaluation/data_set.h>
+#include <homeward/dataset/data_set.h>
 
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>

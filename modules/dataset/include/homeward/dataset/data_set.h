@@ -4,7 +4,7 @@
 #include <homeward/camera/camera_file.h>
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/pose2.h>
-#include <homeward/evaluation/panorama_layout.h>
+#include <homeward/dataset/panorama_layout.h>
 
 #include <cstddef>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <homeward/evaluation/data_set.h>
+#include <homeward/dataset/data_set.h>
 
 #include "pose_table.h"
 
