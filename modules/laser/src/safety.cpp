@@ -120,4 +120,22 @@ Twist2 avoid(const std::vector<Eigen::Vector2d> &points, const Footprint &footpr
   return {0.0, toLeft ? options.turnRate : -options.turnRate};
 }
 
+Twist2 creep(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
+             const Twist2 &wanted, double near, double speed)
+{
+  if (!(speed > 0.0)) {
+    throw LogicError("creep: speed is " + std::to_string(speed) + " m/s, must be above 0");
+  }
+  double fastest = speed;
+  for (const Eigen::Vector2d &point : points) {
+    const Eigen::Vector2d beside(std::clamp(point.x(), footprint.xMin, footprint.xMax),
+                                 std::clamp(point.y(), footprint.yMin, footprint.yMax));
+    if ((point - beside).norm() < near) {
+      fastest =
+          std::max(fastest, std::hypot(wanted.v - wanted.w * beside.y(), wanted.w * beside.x()));
+    }
+  }
+  return {wanted.v * speed / fastest, wanted.w * speed / fastest};
+}
+
 } // namespace homeward

@@ -183,6 +183,12 @@ void Motion::command(const Twist2 &twist)
   m_devices.base.drive(twist);
 }
 
+/** Commands a twist, gently past what is near. */
+void Motion::go(const Twist2 &twist)
+{
+  command(creep(m_sight.points, m_footprint, twist, m_options.creepNear, m_options.creepSpeed));
+}
+
 void Motion::stop()
 {
   constexpr int kTicks = 20;
@@ -210,7 +216,7 @@ LocalDrive::State Motion::steer(double bearing, double speed, Room room)
   if (now < m_tightUntil) {
     decision = m_tightDrive.choose(m_sight.points, bearing, std::min(speed, m_options.tightSpeed));
   }
-  command(decision.twist);
+  go(decision.twist);
   return decision.state;
 }
 
@@ -222,7 +228,7 @@ LocalDrive::State Motion::follow(const Twist2 &twist, double bearing)
     roomy.margin = m_options.margin;
     const Twist2 safe = avoid(m_sight.points, m_footprint, twist, roomy);
     if (safe.v > 0.3 * twist.v && clearance(m_sight.points, m_footprint) > m_options.margin) {
-      command(safe);
+      go(safe);
       return LocalDrive::State::Free;
     }
   }
@@ -240,7 +246,7 @@ bool Motion::turnIsFree(double angle) const
 bool Motion::turnTo(double oHeading)
 {
   constexpr double kClose = 0.03;
-  constexpr int kTicks = 250;
+  constexpr int kTicks = 400;
   constexpr int kRetreats = 2;
   int direction = 0;
   int retreats = 0;
@@ -266,7 +272,7 @@ bool Motion::turnTo(double oHeading)
       way = direction != 0 && direction * error < 0.0 ? longWay : error;
     }
     const double rate = std::clamp(1.5 * std::abs(way), 0.08, m_options.maxTurnRate);
-    command(avoid(m_sight.points, m_footprint, {0.0, std::copysign(rate, way)}, m_safety));
+    go(avoid(m_sight.points, m_footprint, {0.0, std::copysign(rate, way)}, m_safety));
     tick();
   }
   stop();

@@ -48,4 +48,15 @@ double stoppableSpeed(double distance, double deceleration, double reaction);
 Twist2 avoid(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
              const Twist2 &wanted, const AvoidOptions &options = {});
 
+/**
+ * The same arc, slowed until no part of the body passes faster than `speed` by a point that is
+ * nearer than `near` to it: chairs and tables are wider above and below the laser's plane.
+ * @param points obstacles in the robot's frame, metres
+ * @param near metres
+ * @param speed m/s, > 0
+ * @throw LogicError for a speed that is not positive
+ */
+Twist2 creep(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
+             const Twist2 &wanted, double near, double speed);
+
 } // namespace homeward

@@ -37,6 +37,8 @@ struct MotionOptions
   double tightMargin = 0.03; ///< metres kept where there is no other way, ...
   double tightSpeed = 0.15;  ///< m/s, ... driven slowly
   double tightSeconds = 3.0; ///< s it goes on so, lest it turns to and fro
+  double creepNear = 0.07;   ///< metres from what is seen where ...
+  double creepSpeed = 0.04;  ///< m/s, ... no part of the body moves faster
   double retreat = 0.3;      ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
@@ -130,6 +132,7 @@ private:
   void backOff();
   void believeInContact();
   void command(const Twist2 &twist);
+  void go(const Twist2 &twist);
   bool turnIsFree(double angle) const;
 
   Devices m_devices;
