@@ -65,6 +65,7 @@ PlaceViews render(const ViewSource &source, const std::vector<Pose2> &poses,
 {
   DataSet set(source.camera);
   addRenderedViews(set, source, poses, parseLightPreset(light), renderProgress());
+  set.followRim();
   return placeViews(set, light);
 }
 

@@ -42,7 +42,8 @@ void home(const HomeArguments &arguments)
   const auto begin = std::chrono::steady_clock::now();
   const cv::Mat current = readPicture(arguments.current);
   const cv::Mat snapshot = readPicture(arguments.snapshot);
-  const DataSet layout = layoutOf(arguments, current);
+  DataSet layout = layoutOf(arguments, current);
+  layout.followRim({current, snapshot});
   const std::unique_ptr<HomingMethod> method = makeHomingMethod(arguments.method);
   const std::optional<HomeVector> found =
       method->compute(layout.panoramaOf(current, arguments.current),

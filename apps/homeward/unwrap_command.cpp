@@ -2,6 +2,7 @@
 #include "command.h"
 #include "files.h"
 
+#include <homeward/camera/rim.h>
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/error.h>
 
@@ -58,7 +59,8 @@ void unwrap(const UnwrapOptions &options)
                       " says " + std::to_string(camera.model.width()) + " x " +
                       std::to_string(camera.model.height()));
   }
-  const Unwarper unwarper(camera, geometryOf(options));
+  const auto shift = rimShift(picture, camera);
+  const Unwarper unwarper(shift ? followRim(camera, {*shift}) : camera, geometryOf(options));
   const auto begin = std::chrono::steady_clock::now();
   const Panorama panorama = unwarper.unwarp(picture);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;

@@ -100,7 +100,8 @@ std::optional<MirrorCamera> mirrorCameraOf(const Calibration &calibration, const
   if (unified == nullptr || !found.mirror) {
     return std::nullopt;
   }
-  return MirrorCamera{unified->camera(), ringOf(*found.mirror, unified->camera()), mount};
+  return MirrorCamera{unified->camera(), ringOf(*found.mirror, unified->camera()), mount,
+                      rimOf(*found.mirror)};
 }
 
 nlohmann::json summaryOf(const FoundBoards &found, const Calibration &calibration)

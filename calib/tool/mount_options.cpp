@@ -51,6 +51,11 @@ MirrorRing ringOf(const MirrorCircles &mirror, const UnifiedCamera &camera)
   return {inner, std::max(outer, inner + 1.0)};
 }
 
+MirrorRim rimOf(const MirrorCircles &mirror)
+{
+  return {mirror.outer.centre, mirror.outer.radius};
+}
+
 PanoramaGeometry wholePanorama(const MirrorCamera &camera, int width)
 {
   PanoramaGeometry geometry;

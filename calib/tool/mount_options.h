@@ -25,6 +25,9 @@ void addMountOptions(CLI::App &command, MountOptions &options);
 /** The ring of a camera file from the circles in the picture, round the principal point. */
 MirrorRing ringOf(const MirrorCircles &mirror, const UnifiedCamera &camera);
 
+/** The rim as it was found, so that a camera that shifts can be followed. */
+MirrorRim rimOf(const MirrorCircles &mirror);
+
 /** A panorama of everything that the ring shows, with square pixels. */
 PanoramaGeometry wholePanorama(const MirrorCamera &camera, int width = 1440);
 

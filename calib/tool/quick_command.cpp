@@ -73,8 +73,8 @@ void calibrateQuickly(const QuickOptions &options)
     sheet.rimElevation = radians(*sheet.rimElevation);
   }
   const QuickCalibration quick = calibrateFromScene(pictures.images, sheet);
-  const MirrorCamera camera{quick.camera, ringOf(quick.mirror, quick.camera),
-                            options.mount.mount()};
+  const MirrorCamera camera{quick.camera, ringOf(quick.mirror, quick.camera), options.mount.mount(),
+                            rimOf(quick.mirror)};
   writeText(options.output, formatMirrorCamera(camera));
   if (!options.panorama.empty()) {
     writePanorama(options.panorama, camera, pictures.images.front());

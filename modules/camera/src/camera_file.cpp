@@ -34,10 +34,24 @@ UnifiedCamera::Parameters parametersOf(const YAML::Node &root, const std::string
   return p;
 }
 
+std::optional<MirrorRim> rimOf(const YAML::Node &root, const std::string &origin)
+{
+  if (!root["rim"]) {
+    return std::nullopt;
+  }
+  const Section rim(root["rim"], "rim", origin, {"u", "v", "radius_px"});
+  const MirrorRim result{{rim.number("u"), rim.number("v")}, rim.number("radius_px")};
+  if (!(result.radius > 0.0)) {
+    throw ConfigError(origin + ": rim.radius_px " + std::to_string(result.radius) +
+                      " must be above 0");
+  }
+  return result;
+}
+
 MirrorCamera cameraOf(const YAML::Node &root, const std::string &origin)
 {
   const Section top(root, "the camera file", origin,
-                    {"model", "image", "parameters", "mirror", "mount"});
+                    {"model", "image", "parameters", "mirror", "mount", "rim"});
   const YAML::Node model = root["model"];
   if (!model || !model.IsScalar() || model.Scalar() != "unified") {
     throw ConfigError(origin + ": model of a mirror on a robot must be 'unified'" +
@@ -56,7 +70,8 @@ MirrorCamera cameraOf(const YAML::Node &root, const std::string &origin)
     return {UnifiedCamera(parametersOf(root, origin), pixels(image, "width", origin),
                           pixels(image, "height", origin)),
             ring,
-            {radians(mount.number("forward_deg")), mount.flag("left_is_clockwise")}};
+            {radians(mount.number("forward_deg")), mount.flag("left_is_clockwise")},
+            rimOf(root, origin)};
   }
   catch (const LogicError &error) {
     throw ConfigError(origin + ": " + error.what());
@@ -96,7 +111,14 @@ std::string formatMirrorCamera(const MirrorCamera &camera)
       << YAML::Value << camera.ring.outer << YAML::EndMap;
   out << YAML::Key << "mount" << YAML::Value << YAML::BeginMap << YAML::Key << "forward_deg"
       << YAML::Value << degrees(camera.mount.forward) << YAML::Key << "left_is_clockwise"
-      << YAML::Value << camera.mount.leftIsClockwise << YAML::EndMap << YAML::EndMap;
+      << YAML::Value << camera.mount.leftIsClockwise << YAML::EndMap;
+  if (camera.rim) {
+    out << YAML::Key << "rim" << YAML::Value << YAML::Flow << YAML::BeginMap << YAML::Key << "u"
+        << YAML::Value << camera.rim->centre.x() << YAML::Key << "v" << YAML::Value
+        << camera.rim->centre.y() << YAML::Key << "radius_px" << YAML::Value << camera.rim->radius
+        << YAML::EndMap;
+  }
+  out << YAML::EndMap;
   return std::string(out.c_str()) + "\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include "pose_table.h"
 
+#include <homeward/camera/rim.h>
 #include <homeward/core/error.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -130,7 +131,38 @@ DataSet DataSet::read(const fs::path &folder, const PanoramaGeometry &geometry)
   set.m_folder = folder;
   set.m_pictures.resize(views.size());
   set.m_views = std::move(views);
+  set.followRim();
   return set;
+}
+
+void DataSet::followRim()
+{
+  constexpr std::size_t kEnough = 15;
+  if (!m_camera || !m_camera->rim) {
+    return;
+  }
+  std::vector<cv::Mat> pictures;
+  const std::size_t count = std::min(kEnough, size());
+  for (std::size_t i = 0; i < count; ++i) {
+    pictures.push_back(picture(i * size() / count));
+  }
+  followRim(pictures);
+}
+
+void DataSet::followRim(const std::vector<cv::Mat> &pictures)
+{
+  if (!m_camera) {
+    return;
+  }
+  std::vector<Eigen::Vector2d> shifts;
+  for (const cv::Mat &picture : pictures) {
+    const auto shift =
+        picture.size() == m_pictureSize ? rimShift(picture, *m_camera) : std::nullopt;
+    if (shift) {
+      shifts.push_back(*shift);
+    }
+  }
+  m_unwarper.emplace(homeward::followRim(*m_camera, shifts), m_geometry);
 }
 
 void DataSet::add(const DataSetView &view, const cv::Mat &picture)

@@ -64,6 +64,7 @@ HomingTask renderedHomingTask(const ViewSource &source, const FreeSpace &space,
         progress(before + done, all);
       }
     });
+    set->followRim();
     return [set = std::shared_ptr<const DataSet>(std::move(set))](std::size_t i) {
       return set->panorama(i);
     };

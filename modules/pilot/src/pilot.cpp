@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/pilot/pilot.h>
 
+#include <homeward/camera/rim.h>
 #include <homeward/core/error.h>
 #include <homeward/laser/half_scans.h>
 
@@ -34,7 +35,7 @@ const char *name(HomingEnd end)
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
              const PilotOptions &options, const std::atomic<bool> &stop)
     : m_options(options), m_robot(robot), m_motion(devices, robot, options.motion, stop),
-      m_unwarper(camera, options.panorama), m_places(options.places),
+      m_camera(camera), m_unwarper(camera, options.panorama), m_places(options.places),
       m_homing(makeHomingMethod(options.homingMethod))
 {}
 
@@ -54,11 +55,24 @@ Panorama Pilot::look()
   if (!frame) {
     throw DeviceError("the camera has no more pictures");
   }
+  followCamera(frame->image);
   Panorama panorama = m_unwarper.unwarp(frame->image);
   if (panorama.image.channels() == 3) {
     cv::cvtColor(panorama.image, panorama.image, cv::COLOR_BGR2GRAY);
   }
   return panorama;
+}
+
+void Pilot::followCamera(const cv::Mat &picture)
+{
+  constexpr std::size_t kEnough = 15;
+  if (m_rimShifts.size() >= kEnough) {
+    return;
+  }
+  if (const auto shift = rimShift(picture, m_camera)) {
+    m_rimShifts.push_back(*shift);
+    m_unwarper = Unwarper(followRim(m_camera, m_rimShifts), m_options.panorama);
+  }
 }
 
 void Pilot::alignWithPlace()

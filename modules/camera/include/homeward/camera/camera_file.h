@@ -3,6 +3,9 @@
 
 #include <homeward/camera/unified_camera.h>
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <string>
 
 namespace homeward
@@ -25,17 +28,26 @@ struct MirrorRing
   double outer = 0.0; ///< the rim
 };
 
-/** A camera file: model, ring and mount. */
+/** The mirror's rim in the picture when the camera was measured: a circle, pixels. */
+struct MirrorRim
+{
+  Eigen::Vector2d centre;
+  double radius = 0.0;
+};
+
+/** A camera file: model, ring, mount, and where the rim was. */
 struct MirrorCamera
 {
   UnifiedCamera model;
   MirrorRing ring;
   CameraMount mount;
+  std::optional<MirrorRim> rim = std::nullopt; ///< lets followRim() see a camera that has shifted
 };
 
 /**
  * Reads a camera file: `model: unified`, `image: {width, height}`, `parameters: {xi, fx, ...}`,
- * `mirror: {inner_radius_px, outer_radius_px}`, `mount: {forward_deg, left_is_clockwise}`.
+ * `mirror: {inner_radius_px, outer_radius_px}`, `mount: {forward_deg, left_is_clockwise}`, and
+ * where it is known `rim: {u, v, radius_px}`.
  * @param yaml its text
  * @param origin the file's name, for messages
  * @throw ConfigError naming key, value and file

@@ -28,7 +28,8 @@ struct DataSetView
  * `file,x_m,y_m,heading_rad,light`), the pictures it names, and `panorama.yaml` (PanoramaLayout)
  * when they are panoramas or `camera.yaml` (MirrorCamera) when they are mirror pictures.
  *
- * Views keep the order of the file. All panoramas have one geometry, whatever the pictures are.
+ * Views keep the order of the file. All panoramas have one geometry, whatever the pictures are. A
+ * camera that has shifted since its file was written is followed, see followRim(); the file stays.
  */
 class DataSet
 {
@@ -52,6 +53,16 @@ public:
    * the same file
    */
   void add(const DataSetView &view, const cv::Mat &picture);
+
+  /**
+   * Unwarps from now on as the rim says in up to 15 of the pictures, evenly spread. read() has done
+   * so.
+   * @throw ConfigError as panorama()
+   */
+  void followRim();
+
+  /** The same by these pictures; those of another size do not count. */
+  void followRim(const std::vector<cv::Mat> &pictures);
 
   /**
    * Writes the folder and every picture as the file that its view names, without loss for PNG.

@@ -63,6 +63,9 @@ private:
   Report run(const Finish &command);
 
   Panorama look();
+
+  /** A camera that has shifted under its mirror shows it in its first pictures. */
+  void followCamera(const cv::Mat &picture);
   Scan scanAllRound(const Pose2 &oMr);
 
   /** Turns get lost on the wheels: the view tells again how the robot stands to the place left. */
@@ -76,6 +79,8 @@ private:
   PilotOptions m_options;
   RobotDescription m_robot;
   Motion m_motion;
+  MirrorCamera m_camera;
+  std::vector<Eigen::Vector2d> m_rimShifts; ///< in the first pictures
   Unwarper m_unwarper;
   PlaceMemory m_places;
   std::unique_ptr<HomingMethod> m_homing;
