@@ -17,7 +17,7 @@ endif()
 set(HOMEWARD_SANITIZE "" CACHE STRING "Sanitizers for every target, for example address,undefined")
 if(HOMEWARD_SANITIZE)
   add_compile_options(-fsanitize=${HOMEWARD_SANITIZE} -fno-sanitize-recover=all
-                      -fno-omit-frame-pointer)
+                      -fno-omit-frame-pointer -O1 -g1) # -O2 -g compiles three times as long
   add_link_options(-fsanitize=${HOMEWARD_SANITIZE})
 endif()
 

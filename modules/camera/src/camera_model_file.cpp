@@ -45,7 +45,7 @@ bool optional(const std::string &name)
 std::unique_ptr<CameraModel> modelOf(const YAML::Node &root, const std::string &origin)
 {
   const Section top(root, "the camera file", origin,
-                    {"model", "image", "parameters", "mirror", "mount"});
+                    {"model", "image", "parameters", "mirror", "mount", "rim"});
   const YAML::Node model = root["model"];
   const auto known = cameraModelNames();
   if (!model || !model.IsScalar() ||
