@@ -93,6 +93,7 @@ std::optional<ArcosSip> parseSip(const ArcosPacket &packet)
   sip.flags = reader.u16();
   sip.compass = reader.u8();
   const std::size_t sonars = reader.u8();
+  sip.sonars.reserve(sonars);
   for (std::size_t i = 0; i < sonars; ++i) {
     const std::uint8_t index = reader.u8();
     sip.sonars.push_back({index, reader.u16()});

@@ -5,7 +5,6 @@
 #include <homeward/core/time.h>
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -95,7 +94,8 @@ public:
   std::optional<ArcosPacket> next();
 
 private:
-  std::deque<std::uint8_t> m_bytes;
+  Bytes m_bytes;
+  std::size_t m_begin = 0; ///< of what has not been read yet
   Time m_lastByte{};
 };
 
