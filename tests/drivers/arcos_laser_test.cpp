@@ -64,6 +64,15 @@ TEST(ArcosLaser, ASweepWithAPartMissingIsDroppedAndTheNextOneRead)
   }
 }
 
+TEST(ArcosLaser, APartThatComesTwiceMakesUpForNoOther)
+{
+  const auto packets = encodeLaserSweep(kLaserPlain, stairs(181));
+  ArcosSweepReader reader;
+  for (const std::size_t i : {0U, 2U, 2U, 3U, 4U, 5U}) {
+    EXPECT_FALSE(reader.add(*parseLaserPart(packets[i])));
+  }
+}
+
 TEST(ArcosLaser, PartsCutShortOrBeyondTheSweepAreRefused)
 {
   for (const std::uint8_t kind : {kLaserPlain, kLaserExtended}) {
