@@ -218,8 +218,9 @@ double turnBetween(const Scan &before, const Scan &after)
     int pairs = 0;
     // Turned left by `shift` steps, reading i shows what reading i + shift showed.
     for (int i = std::max(0, -shift); i < std::min(count, count - shift); ++i) {
+      const int j = i + shift;
       const double difference = std::abs(after.ranges[static_cast<std::size_t>(i)] -
-                                         before.ranges[static_cast<std::size_t>(i + shift)]);
+                                         before.ranges[static_cast<std::size_t>(j)]);
       if (!std::isnan(difference)) {
         sum += std::min(difference, 1.0);
         ++pairs;
