@@ -14,6 +14,7 @@ inline constexpr int kExitUsage = 2;
 /** Each adds its subcommand; a subcommand stores its exit status in `status` when it has run. */
 void addExploreCommand(CLI::App &app, int &status);
 void addNavigateCommand(CLI::App &app, int &status);
+void addRigCommand(CLI::App &app, int &status);
 void addMapCommand(CLI::App &app, int &status);
 void addUnwrapCommand(CLI::App &app, int &status);
 void addScanCommand(CLI::App &app, int &status);

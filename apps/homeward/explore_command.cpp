@@ -23,7 +23,7 @@ namespace
 
 struct ExploreArguments
 {
-  SimulationArguments simulation;
+  RobotArguments robot;
   std::string map;
   double forwardDistance = 2.0;
   std::string homing = "minwarping";
@@ -40,38 +40,30 @@ class Exploration
 public:
   explicit Exploration(const ExploreArguments &arguments)
       : m_arguments(arguments), m_before(loadBefore()),
-        m_robot(arguments.simulation, m_before ? std::optional(m_before->end) : std::nullopt),
+        m_robot(makeMissionRobot(arguments.robot,
+                                 m_before ? std::optional(m_before->end) : std::nullopt)),
+        m_devices(m_robot->devices()), m_begin(m_devices.clock.now()),
         m_pilotOptions(explorationOptions()), m_file(openFile()),
-        m_pilot(m_robot.devices(), m_robot.robot(), m_robot.camera(), m_pilotOptions, stopSignal())
+        m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera, m_pilotOptions,
+                stopSignal())
   {
-    m_truth = m_before.value_or(TruthLog{});
-    m_truth.world = arguments.simulation.world.empty() ? shippedFile("worlds/lab.sdf").string()
-                                                       : arguments.simulation.world;
-    m_truth.robot = m_robot.robotFile();
-    m_truth.light = arguments.simulation.light;
-    m_truth.seed = arguments.simulation.seed;
-    m_truth.forwardDistance = arguments.forwardDistance;
-    if (!m_before) {
-      m_truth.start = m_robot.simulator().truth().pose;
+    if (const std::optional<SimulatedWorld> world = m_robot->world()) {
+      beginTruth(*world);
     }
-    m_truth.end = m_robot.simulator().truth().pose;
     if (arguments.verbose) {
       m_pilot.trace = [this](const std::string &line) { say(line); };
     }
-    m_pilot.onView = [this] { m_viewTruth = m_robot.simulator().truth().pose; };
+    m_pilot.onView = [this] { m_viewTruth = m_robot->truth().value_or(Truth{}).pose; };
     rememberAll(m_file, m_pilot);
   }
 
   Finish run()
   {
     const Explorer explorer({.forwardDistance = m_arguments.forwardDistance});
-    const auto enough = [this] {
-      return toSeconds(m_robot.simulator().clock().now()) > m_arguments.maxTime;
-    };
+    const auto enough = [this] { return seconds() > m_arguments.maxTime; };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
-    const Finish finish =
-        runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(), &m_file,
-                   m_robot.simulator().clock(), m_counts, enough, onStep);
+    const Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),
+                                     &m_file, m_devices.clock, m_counts, enough, onStep);
     endProgress();
     if (!m_file.map().nodes().empty()) {
       saveTruth();
@@ -80,26 +72,20 @@ public:
     return finish;
   }
 
-  void summarise(const Finish &finish, double wallSeconds) const
+  void summarise(const Finish &finish, double wallSeconds)
   {
-    const Truth truth = m_robot.simulator().truth();
     const TopologicalMap &map = m_file.map();
-    const double simSeconds = toSeconds(m_robot.simulator().clock().now());
-    const MissionTruth judged =
-        judgeMission(m_robot.simulator().freeSpace(), m_truth.start.translation(), m_truth.nodes,
-                     map, m_arguments.forwardDistance);
+    const double robotSeconds = seconds();
+    const std::optional<Truth> truth = m_robot->truth();
+    const double distance = truth ? truth->distance : m_pilot.travelled();
     std::printf("%s: %s\n", name(finish.outcome).c_str(), finish.reason.c_str());
     std::printf("nodes %zu, edges %zu, open directions %d, homings %d of %d arrived\n",
                 map.nodes().size(), map.edges().size(), map.openDirectionCount(),
                 m_counts.homingsArrived, m_counts.homingsTried);
-    std::printf("distance %.1f m, simulated %.0f s, wall-clock %.1f s (%.1f times real time)\n",
-                truth.distance, simSeconds, wallSeconds, simSeconds / wallSeconds);
-    std::printf("collisions %d, contacts the laser cannot see %d\n", truth.collisions,
-                truth.unseenContacts);
-    std::printf("truth: coverage %.1f %%, false edges %d, duplicate nodes %d\n",
-                100.0 * judged.coverage, judged.falseEdges, judged.duplicateNodes);
+    std::printf("distance %.1f m, %s %.0f s, wall-clock %.1f s (%.1f times real time)\n", distance,
+                timeName(), robotSeconds, wallSeconds, robotSeconds / wallSeconds);
     nlohmann::json json = jsonHeader("explore");
-    json["seed"] = m_arguments.simulation.seed;
+    json["seed"] = m_truth.seed;
     json["wall_time_s"] = wallSeconds;
     json["outcome"] = name(finish.outcome);
     json["reason"] = finish.reason;
@@ -107,21 +93,22 @@ public:
     json["edges"] = map.edges().size();
     json["open_directions"] = map.openDirectionCount();
     json["homings"] = {{"tried", m_counts.homingsTried}, {"arrived", m_counts.homingsArrived}};
-    json["collisions"] = truth.collisions;
-    json["unseen_contacts"] = truth.unseenContacts;
-    json["distance_m"] = truth.distance;
-    json["sim_time_s"] = simSeconds;
-    json["truth"] = {{"coverage", judged.coverage},
-                     {"false_edges", judged.falseEdges},
-                     {"duplicate_nodes", judged.duplicateNodes}};
+    json["distance_m"] = distance;
+    json["sim_time_s"] = robotSeconds;
+    if (truth) {
+      judge(*truth, json);
+    }
     writeJson(m_arguments.json, json);
   }
 
   void sayHowToGoOn() const
   {
     std::string command = "homeward explore --resume --map " + m_arguments.map;
-    if (!m_arguments.simulation.world.empty()) {
-      command += " --world " + m_arguments.simulation.world;
+    if (!m_arguments.robot.simulation.world.empty()) {
+      command += " --world " + m_arguments.robot.simulation.world;
+    }
+    if (!m_arguments.robot.simulation.rig.empty()) {
+      command += " --rig " + m_arguments.robot.simulation.rig;
     }
     std::printf("the robot stands and the map is kept; go on with: %s\n", command.c_str());
   }
@@ -134,14 +121,14 @@ private:
 
   PilotOptions explorationOptions() const
   {
-    PilotOptions options = pilotOptions(m_robot, m_arguments.homing);
+    PilotOptions options = pilotOptions(*m_robot, m_arguments.homing);
     options.directions = openDirectionOptions(m_arguments.forwardDistance);
     return options;
   }
 
   MapFile openFile() const
   {
-    const MapHeader header = mapHeader(m_robot, m_pilotOptions);
+    const MapHeader header = mapHeader(m_robot->files(), m_pilotOptions);
     if (m_arguments.resume) {
       MapFile file = MapFile::open(m_arguments.map);
       file.expectMadeWith(header);
@@ -152,13 +139,54 @@ private:
                                                  : MapFile::IfExists::Refuse);
   }
 
+  /** Of robot time since the beginning. */
+  double seconds() const { return toSeconds(m_devices.clock.now() - m_begin); }
+
+  const char *timeName() const { return m_robot->runsByItself() ? "robot time" : "simulated"; }
+
+  void beginTruth(const SimulatedWorld &world)
+  {
+    const Pose2 pose = m_robot->truth().value().pose;
+    m_truth = m_before.value_or(TruthLog{});
+    m_truth.world = world.world;
+    m_truth.robot = m_robot->files().robotFile;
+    m_truth.light = world.light;
+    m_truth.seed = world.seed;
+    m_truth.forwardDistance = m_arguments.forwardDistance;
+    if (!m_before) {
+      m_truth.start = pose;
+    }
+    m_truth.end = pose;
+  }
+
+  void judge(const Truth &truth, nlohmann::json &json)
+  {
+    const MissionTruth judged =
+        judgeMission(*m_robot->freeSpace(), m_truth.start.translation(), m_truth.nodes,
+                     m_file.map(), m_arguments.forwardDistance);
+    std::printf("collisions %d, contacts the laser cannot see %d\n", truth.collisions,
+                truth.unseenContacts);
+    std::printf("truth: coverage %.1f %%, false edges %d, duplicate nodes %d\n",
+                100.0 * judged.coverage, judged.falseEdges, judged.duplicateNodes);
+    json["collisions"] = truth.collisions;
+    json["unseen_contacts"] = truth.unseenContacts;
+    json["truth"] = {{"coverage", judged.coverage},
+                     {"false_edges", judged.falseEdges},
+                     {"duplicate_nodes", judged.duplicateNodes}};
+  }
+
   /** A line for whoever looks for the reason of something, with when and where it was. */
   void say(const std::string &line) const
   {
-    const Truth truth = m_robot.simulator().truth();
-    std::printf("  # %.1f s, at %.2f,%.2f,%.2f, %d collisions, %d unseen: %s\n",
-                toSeconds(m_robot.simulator().clock().now()), truth.pose.x, truth.pose.y,
-                truth.pose.heading, truth.collisions, truth.unseenContacts, line.c_str());
+    std::string where;
+    if (const std::optional<Truth> truth = m_robot->truth()) {
+      char text[120];
+      std::snprintf(text, sizeof text, ", at %.2f,%.2f,%.2f, %d collisions, %d unseen",
+                    truth->pose.x, truth->pose.y, truth->pose.heading, truth->collisions,
+                    truth->unseenContacts);
+      where = text;
+    }
+    std::printf("  # %.1f s%s: %s\n", seconds(), where.c_str(), line.c_str());
   }
 
   void follow(const Step<ExplorerState> &step)
@@ -168,29 +196,33 @@ private:
       std::printf("%s\n", line.c_str());
     }
     std::fflush(stdout);
-    const Truth truth = m_robot.simulator().truth();
-    m_truth.path.push_back(truth.pose.translation());
+    if (const std::optional<Truth> truth = m_robot->truth()) {
+      m_truth.path.push_back(truth->pose.translation());
+    }
     for (const MapChange &change : step.changes) {
       if (const auto *added = std::get_if<NodeAdded>(&change)) {
         m_truth.nodes[added->node.id] = m_viewTruth;
         saveTruth();
       }
     }
-    showProgress("simulated " +
-                 std::to_string(std::lround(toSeconds(m_robot.simulator().clock().now()))) +
+    showProgress(std::string(timeName()) + " " + std::to_string(std::lround(seconds())) +
                  " s, nodes " + std::to_string(m_file.map().nodes().size()) + ", open directions " +
                  std::to_string(m_file.map().openDirectionCount()));
   }
 
   void saveTruth()
   {
-    m_truth.end = m_robot.simulator().truth().pose;
-    saveTruthLog(truthLogFile(m_arguments.map), m_truth);
+    if (const std::optional<Truth> truth = m_robot->truth()) {
+      m_truth.end = truth->pose;
+      saveTruthLog(truthLogFile(m_arguments.map), m_truth);
+    }
   }
 
   const ExploreArguments &m_arguments;
   std::optional<TruthLog> m_before;
-  mutable SimulatedRobot m_robot;
+  std::unique_ptr<MissionRobot> m_robot;
+  Devices m_devices;
+  Time m_begin;
   PilotOptions m_pilotOptions;
   MapFile m_file;
   Pilot m_pilot;
@@ -219,8 +251,9 @@ void addExploreCommand(CLI::App &app, int &status)
   auto arguments = std::make_shared<ExploreArguments>();
   CLI::App *command =
       app.add_subcommand("explore", "Explore an unknown building and map it by sight");
-  command->footer("Example: homeward explore --world data/worlds/lab.sdf --map lab.hwm");
-  addSimulationArguments(*command, arguments->simulation);
+  command->footer("Examples: homeward explore --world data/worlds/lab.sdf --map lab.hwm\n"
+                  "          homeward explore --rig my_rig.yaml --map house.hwm");
+  addRobotArguments(*command, arguments->robot);
   command->add_option("--map", arguments->map, "Map file to write")->required();
   command
       ->add_option("--forward-distance", arguments->forwardDistance, "Metres driven before looking")
@@ -228,7 +261,8 @@ void addExploreCommand(CLI::App &app, int &status)
       ->capture_default_str();
   command->add_option("--homing", arguments->homing, "minwarping, or hiss as the seed")
       ->capture_default_str();
-  command->add_option("--max-time", arguments->maxTime, "Simulated seconds after which it stops")
+  command
+      ->add_option("--max-time", arguments->maxTime, "Seconds of robot time after which it stops")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--overwrite", arguments->overwrite, "Replace an existing map");

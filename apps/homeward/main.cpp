@@ -8,12 +8,14 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 int main(int argc, char **argv)
 {
   cv::setNumThreads(1); // results must not depend on how many threads share a sum
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); // ours is one line
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);                           // likewise
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is a failed write, with its message
   CLI::App app{"Visual navigation with a mirror camera."};
   app.name("homeward");
@@ -22,6 +24,7 @@ int main(int argc, char **argv)
   int status = homeward::kExitDone;
   homeward::addExploreCommand(app, status);
   homeward::addNavigateCommand(app, status);
+  homeward::addRigCommand(app, status);
   homeward::addMapCommand(app, status);
   homeward::addUnwrapCommand(app, status);
   homeward::addScanCommand(app, status);

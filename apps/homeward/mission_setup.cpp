@@ -9,12 +9,20 @@
 namespace homeward
 {
 
-PilotOptions pilotOptions(const SimulatedRobot &robot, const std::string &homingMethod)
+PilotOptions pilotOptions(const MissionRobot &robot, const std::string &homingMethod)
 {
+  constexpr double kPeriods = 3.0; // a device may miss two
+  const Rig &rig = robot.files().rig;
   PilotOptions options;
-  options.motion.maxSpeed = robot.limits().maxSpeed;
-  options.motion.maxTurnRate = robot.limits().maxTurnRate;
+  options.motion.maxSpeed = rig.limits.maxSpeed;
+  options.motion.maxTurnRate = rig.limits.maxTurnRate;
   options.homingMethod = homingMethod;
+  options.homing.waitForVision = !robot.runsByItself();
+  if (rig.devices) {
+    options.motion.baseSilence = kPeriods * rig.devices->base.period;
+    options.motion.laserSilence = kPeriods * rig.devices->laser.period;
+    options.motion.cameraSilence = kPeriods * rig.devices->capture.period;
+  }
   return options;
 }
 
@@ -30,10 +38,10 @@ OpenDirectionOptions openDirectionOptions(double forwardDistance)
   return options;
 }
 
-MapHeader mapHeader(const SimulatedRobot &robot, const PilotOptions &options)
+MapHeader mapHeader(const RobotFiles &robot, const PilotOptions &options)
 {
   MapHeader header;
-  header.cameraHash = contentHashText(robot.cameraText());
+  header.cameraHash = contentHashText(robot.cameraText);
   header.panorama = options.panorama;
   header.signatureKind = std::string(name(SignatureKind::Jeffrey));
   header.signatureVersion = kSignatureVersion;

@@ -23,7 +23,7 @@ namespace
 
 struct NavigateArguments
 {
-  SimulationArguments simulation;
+  RobotArguments robot;
   std::string map;
   std::int64_t to = -1;
   std::int64_t from = -1;
@@ -54,7 +54,7 @@ std::optional<Pose2> startPose(const NavigateArguments &arguments,
                       ", which says where the nodes truly are; use --start");
   }
   constexpr std::uint32_t kHeadingStream = 77;
-  Random random(arguments.simulation.seed, kHeadingStream);
+  Random random(arguments.robot.simulation.seed, kHeadingStream);
   Pose2 pose = log->nodes.at(NodeId{arguments.from});
   pose.heading = random.uniform(-kPi, kPi);
   return pose;
@@ -76,10 +76,12 @@ int navigate(const NavigateArguments &arguments)
     requireNode(file, arguments.from);
   }
   const std::optional<TruthLog> log = loadTruthLog(truthLogFile(arguments.map));
-  SimulatedRobot robot(arguments.simulation, startPose(arguments, log));
-  const PilotOptions options = pilotOptions(robot, arguments.homing);
-  file.expectMadeWith(mapHeader(robot, options));
-  Pilot pilot(robot.devices(), robot.robot(), robot.camera(), options, stopSignal());
+  const std::unique_ptr<MissionRobot> robot =
+      makeMissionRobot(arguments.robot, startPose(arguments, log));
+  const PilotOptions options = pilotOptions(*robot, arguments.homing);
+  file.expectMadeWith(mapHeader(robot->files(), options));
+  const Devices devices = robot->devices();
+  Pilot pilot(devices, robot->files().robot, robot->files().camera, options, stopSignal());
   if (arguments.verbose) {
     pilot.trace = [](const std::string &line) { std::printf("  # %s\n", line.c_str()); };
   }
@@ -88,8 +90,10 @@ int navigate(const NavigateArguments &arguments)
   const Navigator navigator({});
   MissionCounts counts;
   std::vector<NodeId> visited;
-  const Clock &clock = robot.simulator().clock();
-  const auto enough = [&] { return toSeconds(clock.now()) > arguments.maxTime; };
+  const Clock &clock = devices.clock;
+  const Time start = clock.now();
+  const auto seconds = [&] { return toSeconds(clock.now() - start); };
+  const auto enough = [&] { return seconds() > arguments.maxTime; };
   const auto onStep = [&](const Step<NavigatorState> &step) {
     endProgress();
     for (const std::string &line : step.log) {
@@ -97,31 +101,33 @@ int navigate(const NavigateArguments &arguments)
     }
     std::fflush(stdout);
     visited = step.state.visited;
-    showProgress("simulated " + std::to_string(std::lround(toSeconds(clock.now()))) + " s");
+    showProgress("robot time " + std::to_string(std::lround(seconds())) + " s");
   };
   const Finish finish = runMission(navigator, navigator.start(file.map(), NodeId{arguments.to}),
                                    pilot, file.map(), nullptr, clock, counts, enough, onStep);
   endProgress();
 
   nlohmann::json json = jsonHeader("navigate");
-  json["seed"] = arguments.simulation.seed;
+  json["seed"] = robot->world().value_or(SimulatedWorld{}).seed;
   json["outcome"] = name(finish.outcome);
   json["reason"] = finish.reason;
-  json["sim_time_s"] = toSeconds(clock.now());
+  json["sim_time_s"] = seconds();
   json["path"] = nlohmann::json::array();
   for (const NodeId node : visited) {
     json["path"].push_back(node.value);
   }
-  std::printf("%s: %s, simulated %.0f s\n", name(finish.outcome).c_str(), finish.reason.c_str(),
-              toSeconds(clock.now()));
-  if (log && log->nodes.contains(NodeId{arguments.to})) {
-    json["truth"] = truthJson(robot.simulator().truth().pose, log->nodes.at(NodeId{arguments.to}));
+  std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome).c_str(), finish.reason.c_str(),
+              seconds());
+  const std::optional<Truth> truth = robot->truth();
+  if (truth && log && log->nodes.contains(NodeId{arguments.to})) {
+    json["truth"] = truthJson(truth->pose, log->nodes.at(NodeId{arguments.to}));
     std::printf("truth: %.2f m and %.0f degrees from where the node was made\n",
                 json["truth"]["error_m"].get<double>(), json["truth"]["error_deg"].get<double>());
   }
-  const Truth truth = robot.simulator().truth();
-  json["collisions"] = truth.collisions;
-  json["unseen_contacts"] = truth.unseenContacts;
+  if (truth) {
+    json["collisions"] = truth->collisions;
+    json["unseen_contacts"] = truth->unseenContacts;
+  }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = wall.count();
   writeJson(arguments.json, json);
@@ -136,13 +142,15 @@ void addNavigateCommand(CLI::App &app, int &status)
   CLI::App *command = app.add_subcommand("navigate", "Drive to a node of a map by sight");
   command->footer("Example: homeward navigate --map lab.hwm --world data/worlds/lab.sdf --to 3\n"
                   "Without --start or --from the simulated robot stands where it was left.");
-  addSimulationArguments(*command, arguments->simulation);
+  addRobotArguments(*command, arguments->robot);
   command->add_option("--map", arguments->map, "Map file")->required();
   command->add_option("--to", arguments->to, "Node to drive to")->required();
   command->add_option("--from", arguments->from, "Start at this node's true place, any heading");
   command->add_option("--homing", arguments->homing, "minwarping, or hiss as the seed")
       ->capture_default_str();
-  command->add_option("--max-time", arguments->maxTime, "Simulated seconds after which it gives up")
+  command
+      ->add_option("--max-time", arguments->maxTime,
+                   "Seconds of robot time after which it gives up")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_flag("--verbose", arguments->verbose, "Print every decision");

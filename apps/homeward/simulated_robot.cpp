@@ -38,32 +38,25 @@ Pose2 parsePose(const std::string &text)
 }
 
 SimulatedRobot::SimulatedRobot(const SimulationArguments &arguments, std::optional<Pose2> start)
-    : m_camera{UnifiedCamera({}, 1, 1), {}, {}}
+    : m_files(loadRobotFiles(arguments.rig))
 {
-  const fs::path rigFile =
-      arguments.rig.empty() ? shippedFile("rigs/sim.yaml") : fs::path(arguments.rig);
-  m_rig = parseRig(readText(rigFile, "rig file"), rigFile.string());
-  m_robotFile = (rigFile.parent_path() / m_rig.robot).lexically_normal().string();
-  m_robot = parseRobotDescription(readText(m_robotFile, "robot description"), m_robotFile);
-  const std::string cameraFile = (rigFile.parent_path() / m_rig.camera).lexically_normal().string();
-  m_cameraText = readText(cameraFile, "camera file");
-  m_camera = parseMirrorCamera(m_cameraText, cameraFile);
-
   SimulatorOptions options;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
+  options.laser = arguments.laser;
   options.light = parseLightPreset(arguments.light);
   if (!arguments.start.empty()) {
     start = parsePose(arguments.start);
   }
   const fs::path world =
       arguments.world.empty() ? shippedFile("worlds/lab.sdf") : fs::path(arguments.world);
+  m_worldFile = world.string();
   m_scene = std::make_shared<const Scene>(loadScene(world));
   for (const std::string &problem : m_scene->problems) {
     std::fprintf(stderr, "homeward: %s: %s\n", world.filename().c_str(), problem.c_str());
   }
   options.start = start;
-  m_simulator = std::make_unique<Simulator>(m_scene, m_robot, m_camera, options);
+  m_simulator = std::make_unique<Simulator>(m_scene, m_files.robot, m_files.camera, options);
 }
 
 Devices SimulatedRobot::devices()

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <homeward/camera/camera_file.h>
+#include "robot_files.h"
+
 #include <homeward/pilot/motion.h>
-#include <homeward/robot/rig.h>
-#include <homeward/robot/robot_description.h>
 #include <homeward/sim/simulator.h>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +24,7 @@ struct SimulationArguments
   std::string light = "day";
   std::uint64_t seed = 1;
   int threads = 2;
+  LaserOptions laser = {}; ///< no option of the command line
 };
 
 void addSimulationArguments(CLI::App &command, SimulationArguments &arguments);
@@ -44,21 +44,17 @@ public:
                           std::optional<Pose2> start = std::nullopt);
 
   Devices devices();
-  Simulator &simulator() { return *m_simulator; }
+  Simulator &simulator() const { return *m_simulator; }
   const Scene &scene() const { return *m_scene; }
   const std::shared_ptr<const Scene> &sharedScene() const { return m_scene; }
-  const RobotDescription &robot() const { return m_robot; }
-  const MirrorCamera &camera() const { return m_camera; }
-  const Limits &limits() const { return m_rig.limits; }
-  const std::string &cameraText() const { return m_cameraText; }
-  const std::string &robotFile() const { return m_robotFile; }
+  const RobotFiles &files() const { return m_files; }
+  const RobotDescription &robot() const { return m_files.robot; }
+  const MirrorCamera &camera() const { return m_files.camera; }
+  const std::string &worldFile() const { return m_worldFile; }
 
 private:
-  Rig m_rig;
-  std::string m_robotFile;
-  RobotDescription m_robot;
-  std::string m_cameraText;
-  MirrorCamera m_camera;
+  RobotFiles m_files;
+  std::string m_worldFile;
   std::shared_ptr<const Scene> m_scene;
   std::unique_ptr<Simulator> m_simulator;
 };

@@ -60,6 +60,59 @@ TEST(Motion, TurnsToAHeading)
   EXPECT_NEAR(robot.motion.sight().base.velocity.w, 0.0, 0.02);
 }
 
+TEST(Motion, KnowsWhereTheRobotWasAndWillBe)
+{
+  Driven robot(makeRoom(8.0F, 4.0F), {1.0, 2.0, 0.0});
+  robot.goAhead(30, 20.0);
+  const Pose2 before = robot.motion.pose();
+  const Time then = robot.motion.sight().base.stamp;
+  robot.goAhead(1, 20.0);
+  const Pose2 after = robot.motion.pose();
+  const Time now = robot.motion.sight().base.stamp;
+  const double step = after.x - before.x;
+  ASSERT_GT(step, 0.02);
+  EXPECT_EQ(robot.motion.poseAt(then).x, before.x);
+  EXPECT_EQ(robot.motion.poseAt(now).x, after.x);
+  EXPECT_NEAR(robot.motion.poseAt(then + (now - then) / 4).x, before.x + step / 4.0, 0.1 * step);
+  EXPECT_NEAR(robot.motion.poseAt(now + (now - then)).x, after.x + step, 0.2 * step);
+  EXPECT_LT(robot.motion.poseAt(now - std::chrono::seconds(60)).x, before.x); // the oldest known
+}
+
+/** A camera that runs by itself and has sent nothing since a given instant. */
+class CameraSilentSince final : public ImageSource
+{
+public:
+  explicit CameraSilentSince(Time since) : m_since(since) {}
+  std::optional<Frame> grab() override { return Frame{m_since, {}}; }
+  std::optional<Time> newest() const override { return m_since; }
+
+private:
+  Time m_since;
+};
+
+TEST(Motion, StandsAndGivesUpWhenACameraThatRanByItselfIsSilent)
+{
+  SimulatorOptions options;
+  options.start = Pose2{1.0, 2.0, 0.0};
+  Simulator simulator(share(makeRoom(8.0F, 4.0F)), testRobot(), testCamera(), options);
+  CameraSilentSince camera(simulator.clock().now() + std::chrono::seconds(2));
+  const std::atomic<bool> stop = false;
+  Motion motion({simulator.clock(), simulator.base(), simulator.laser(), camera}, testRobot(), {},
+                stop);
+  EXPECT_THROW(
+      {
+        while (true) {
+          motion.tick();
+          motion.follow({0.3, 0.0}, 0.0);
+        }
+      },
+      DeviceError);
+  EXPECT_EQ(simulator.base().state().velocity.v, 0.0);
+  // 2 s and 0.5 s of silence driven, 5 s waited for.
+  EXPECT_NEAR(toSeconds(simulator.clock().now()), 7.6, 0.3);
+  EXPECT_LT(simulator.truth().distance, 0.9);
+}
+
 TEST(Motion, TurnsTheLongWayWhereTheShortOneIsBarred)
 {
   // Wall on the left, 15 cm beside the body; turning left by 120 degrees the back corner meets it

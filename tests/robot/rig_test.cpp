@@ -75,6 +75,64 @@ TEST(Rig, RefusalsNameFileKeyAndValue)
   }
 }
 
+const std::string kBase = "base: {address: 'tcp:localhost:8101'}\n";
+const std::string kLaser = "laser: {kind: on_base}\n";
+const std::string kCapture = "capture: {kind: stream, source: 'http://localhost/camera'}\n";
+
+TEST(Rig, ReadsRealDevices)
+{
+  const Rig rig = parseRig(
+      kFiles + "base: {address: /dev/ttyUSB0, baud: 38400, period_s: 0.2}\n"
+               "laser: {kind: lms200, address: /dev/ttyUSB1, baud: 19200, resolution_deg: 0.5}\n"
+               "capture: {kind: v4l2, source: 2, period_s: 0.04, latency_s: 0.08}\n"
+               "clock_rate: 4\n",
+      "rig.yaml");
+  ASSERT_TRUE(rig.devices);
+  EXPECT_EQ(rig.devices->base.address, "/dev/ttyUSB0");
+  EXPECT_EQ(rig.devices->base.baud, 38400);
+  EXPECT_DOUBLE_EQ(rig.devices->base.period, 0.2);
+  EXPECT_EQ(rig.devices->laser.kind, LaserLink::Kind::Lms200);
+  EXPECT_EQ(rig.devices->laser.address, "/dev/ttyUSB1");
+  EXPECT_EQ(rig.devices->laser.baud, 19200);
+  EXPECT_EQ(rig.devices->laser.resolution, 50);
+  EXPECT_EQ(rig.devices->capture.kind, CaptureLink::Kind::V4l2);
+  EXPECT_EQ(rig.devices->capture.source, "2");
+  EXPECT_DOUBLE_EQ(rig.devices->capture.period, 0.04);
+  EXPECT_DOUBLE_EQ(rig.devices->capture.latency, 0.08);
+  EXPECT_DOUBLE_EQ(rig.devices->clockRate, 4.0);
+}
+
+TEST(Rig, WithoutDevicesItIsSimulated)
+{
+  EXPECT_FALSE(parseRig(kFiles, "rig.yaml").devices);
+  EXPECT_DOUBLE_EQ(parseRig(kFiles + kBase + kLaser + kCapture, "rig.yaml").devices->clockRate,
+                   1.0);
+}
+
+TEST(Rig, RefusalsOfDevicesNameFileKeyAndValue)
+{
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {kBase, "'laser' is missing"},
+      {kBase + kLaser, "'capture' is missing"},
+      {kLaser + kCapture, "'base' is missing"},
+      {"clock_rate: 2\n", "'base' is missing"},
+      {"base: here\n" + kLaser + kCapture, "'base' is 'here'"},
+      {"base: {baud: 9600}\n" + kLaser + kCapture, "'base.address' is missing"},
+      {"base: {address: [1]}\n" + kLaser + kCapture, "'base.address' is a list"},
+      {"base: {address: x, speed: 1}\n" + kLaser + kCapture, "unknown key 'base.speed'"},
+      {"base: {address: x, baud: -1}\n" + kLaser + kCapture, "'base.baud' is '-1'"},
+      {kBase + "laser: {kind: radar}\n" + kCapture, "'laser.kind' is 'radar'; one of lms200"},
+      {kBase + "laser: {kind: lms200}\n" + kCapture, "'laser.address' is missing"},
+      {kBase + "laser: {kind: on_base, baud: 1}\n" + kCapture, "unknown key 'laser.baud'"},
+      {kBase + kLaser + "capture: {kind: eye, source: x}\n", "'capture.kind' is 'eye'"},
+      {kBase + kLaser + kCapture + "clock_rate: 0\n", "'clock_rate' is '0'"},
+  };
+  for (const auto &[yaml, culprit] : cases) {
+    EXPECT_THAT(refusal(kFiles + yaml), AllOf(StartsWith("rig.yaml: "), HasSubstr(culprit)))
+        << yaml;
+  }
+}
+
 TEST(Rig, LimitsOfABaseStandAlone)
 {
   const Limits limits = parseLimits("turn_acceleration_deg_s2: 180\n", "base.yaml");

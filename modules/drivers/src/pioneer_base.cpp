@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/core/error.h>
 #include <homeward/drivers/pioneer_base.h>
-#include <homeward/drivers/steady_clock.h>
 
 #include "pioneer_handshake.h"
 
@@ -17,6 +16,11 @@ namespace
 
 /** How long the thread waits for bytes before it looks at its watch. */
 constexpr Duration kTick = std::chrono::milliseconds(20);
+
+// What the packets of a simulated laser hold.
+constexpr int kLaserEnd = 90;              ///< degrees to either side
+constexpr int kLaserIncrement = 50;        ///< hundredths of a degree
+constexpr std::uint16_t kLaserFar = 32000; ///< mm, and more: nothing was in the way
 
 int toWhole(double value)
 {
@@ -100,15 +104,26 @@ void PioneerBase::configure()
   send(arcosCommand(ArcosCommand::SetRa, wholeDegrees(limits.turnAcceleration)));
   send(arcosCommand(ArcosCommand::SetRa, -wholeDegrees(limits.turnAcceleration)));
   send(arcosCommand(ArcosCommand::Sonar, m_options.sonars.empty() ? 0 : 1));
+  askForLaser();
   send(arcosCommand(ArcosCommand::Enable, 1));
+}
+
+void PioneerBase::askForLaser()
+{
+  if (m_options.laser == PioneerLaser::None) {
+    return;
+  }
+  send(arcosCommand(ArcosCommand::OldLaserStart, -kLaserEnd));
+  send(arcosCommand(ArcosCommand::OldLaserEnd, kLaserEnd));
+  send(arcosCommand(ArcosCommand::OldLaserIncrement, kLaserIncrement));
+  send(arcosCommand(ArcosCommand::OldLaserEnable, m_options.laser == PioneerLaser::Plain ? 1 : 2));
 }
 
 void PioneerBase::awaitFirstPacket()
 {
-  const SteadyClock clock;
-  const Time deadline = clock.now() + m_options.silence;
+  const Time deadline = m_clock.now() + m_options.silence;
   while (!m_state) {
-    if (clock.now() >= deadline) {
+    if (m_clock.now() >= deadline) {
       throw DeviceError("robot '" + m_identity.name + "' opened but sends no packets");
     }
     readPackets();
@@ -117,11 +132,10 @@ void PioneerBase::awaitFirstPacket()
 
 void PioneerBase::run(const std::stop_token &stop)
 {
-  const SteadyClock clock;
   try {
     while (!stop.stop_requested()) {
       readPackets();
-      keepAwake(clock.now());
+      keepAwake(m_clock.now());
     }
   }
   catch (const std::exception &error) {
@@ -134,13 +148,49 @@ void PioneerBase::readPackets()
 {
   std::array<std::uint8_t, 512> buffer{};
   const std::size_t count = m_stream->read(buffer, kTick);
-  const Time now = SteadyClock().now();
-  m_reader.push(std::span(buffer).first(count), now);
+  m_reader.push(std::span(buffer).first(count), SteadyClock().now());
+  const Time now = m_clock.now();
   while (const std::optional<ArcosPacket> packet = m_reader.next()) {
     if (const std::optional<ArcosSip> sip = parseSip(*packet)) {
       take(*sip, now);
     }
+    else if (const std::optional<ArcosLaserPart> part = parseLaserPart(*packet)) {
+      take(*part, now);
+    }
   }
+}
+
+void PioneerBase::take(const ArcosLaserPart &part, Time now)
+{
+  const auto sweep = m_sweeps.add(part);
+  if (!sweep || sweep->size() != 2 * kLaserEnd * 100 / kLaserIncrement + 1) {
+    return;
+  }
+  Scan scan;
+  scan.stamp = now;
+  scan.angleMin = -radians(kLaserEnd);
+  scan.angleStep = radians(kLaserIncrement / 100.0);
+  scan.rangeMax = kLaserFar / 1000.0;
+  for (const std::uint16_t range : *sweep) {
+    scan.ranges.push_back(range == 0 ? kUnknownRange : static_cast<float>(range) / 1000.0F);
+  }
+  const std::lock_guard lock(m_knowing);
+  m_scan = std::move(scan);
+}
+
+std::optional<Scan> PioneerBase::newestScan()
+{
+  refuseWhenGone();
+  const std::lock_guard lock(m_knowing);
+  return m_scan;
+}
+
+LaserScanner &PioneerBase::laser()
+{
+  if (m_options.laser == PioneerLaser::None) {
+    throw LogicError("laser of a Pioneer that was not asked for one");
+  }
+  return m_laser;
 }
 
 void PioneerBase::take(const ArcosSip &sip, Time now)
@@ -181,7 +231,7 @@ void PioneerBase::keepAwake(Time now)
 void PioneerBase::send(const ArcosPacket &command)
 {
   m_stream->write(frameArcos(command));
-  m_lastSent = SteadyClock().now();
+  m_lastSent = m_clock.now();
 }
 
 void PioneerBase::sendVelocity(int speed, int turnRate)
@@ -197,7 +247,7 @@ void PioneerBase::refuseWhenGone()
   if (!m_failure.empty()) {
     throw DeviceError("robot '" + m_identity.name + "' is lost: " + m_failure);
   }
-  const Duration age = SteadyClock().now() - m_state->stamp;
+  const Duration age = m_clock.now() - m_state->stamp;
   if (age > m_options.silence) {
     throw DeviceError("robot '" + m_identity.name + "' has been silent for " +
                       std::to_string(toSeconds(age)) + " s");

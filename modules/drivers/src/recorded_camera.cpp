@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/core/error.h>
 #include <homeward/drivers/recorded_camera.h>
-#include <homeward/drivers/steady_clock.h>
+
+#include "visp_frame.h"
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <visp3/core/vpImageConvert.h>
 #include <visp3/io/vpDiskGrabber.h>
 #include <visp3/io/vpVideoReader.h>
 
@@ -18,14 +18,6 @@ namespace homeward
 {
 namespace
 {
-
-Frame toFrame(const vpImage<vpRGBa> &picture)
-{
-  Frame frame;
-  frame.stamp = SteadyClock().now();
-  vpImageConvert::convert(picture, frame.image);
-  return frame;
-}
 
 /** True when the pattern holds one %d with an optional width and no other conversion. */
 bool isPattern(const std::string &pattern)

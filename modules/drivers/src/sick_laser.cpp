@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
+#include <homeward/drivers/protocol/sick_commands.h>
 #include <homeward/drivers/sick_laser.h>
 #include <homeward/drivers/steady_clock.h>
 
@@ -9,42 +10,26 @@
 
 namespace homeward
 {
+using namespace sick;
+
 namespace
 {
 
 constexpr Duration kTick = std::chrono::milliseconds(50);
 
-// Commands and answers.
-constexpr std::uint8_t kMode = 0x20;
-constexpr std::uint8_t kModeAnswer = 0xA0;
-constexpr std::uint8_t kGetConfig = 0x74;
-constexpr std::uint8_t kGetConfigAnswer = 0xF4;
-constexpr std::uint8_t kSetConfig = 0x77;
-constexpr std::uint8_t kSetConfigAnswer = 0xF7;
-constexpr std::uint8_t kVariant = 0x3B;
-constexpr std::uint8_t kVariantAnswer = 0xBB;
-
-// Second byte of kMode.
-constexpr std::uint8_t kInstallation = 0x00;
-constexpr std::uint8_t kContinuous = 0x24;
-constexpr std::uint8_t kOnRequest = 0x25;
-
-// Places in the block of the configuration, and what is wanted there.
-constexpr std::size_t kMeasuringModeAt = 5;
-constexpr std::size_t kUnitAt = 6;
-constexpr std::uint8_t kThirtyTwoMetres = 0x06; ///< one flag bit: field A
-constexpr std::uint8_t kMillimetres = 0x01;
 constexpr int kFlagBits = 1;
+constexpr double kBitsPerByte = 10.0;
+constexpr std::size_t kFrameSize = 6; ///< bytes of a telegram beside its payload
 
 std::uint8_t baudCode(int baud)
 {
   switch (baud) {
   case 9600:
-    return 0x42;
+    return kBaud9600;
   case 19200:
-    return 0x41;
+    return kBaud19200;
   case 38400:
-    return 0x40;
+    return kBaud38400;
   default:
     throw LogicError("SICK laser at " + std::to_string(baud) + " baud; 9600, 19200 or 38400");
   }
@@ -53,7 +38,7 @@ std::uint8_t baudCode(int baud)
 Bytes installationMode()
 {
   Bytes payload{kMode, kInstallation};
-  for (const char letter : std::string("SICK_LMS")) {
+  for (const char letter : std::string(kPassword)) {
     payload.push_back(static_cast<std::uint8_t>(letter));
   }
   return payload;
@@ -176,7 +161,7 @@ void SickLaser::configure()
 void SickLaser::start()
 {
   need({kMode, kContinuous}, kModeAnswer, m_options.answerTimeout, "start measuring");
-  m_heard = SteadyClock().now();
+  m_heard = m_clock.now();
   m_thread = std::jthread([this](const std::stop_token &stop) { run(stop); });
 }
 
@@ -186,7 +171,7 @@ void SickLaser::run(const std::stop_token &stop)
   try {
     while (!stop.stop_requested()) {
       m_reader.push(std::span(buffer).first(m_stream->read(buffer, kTick)));
-      const Time now = SteadyClock().now();
+      const Time now = m_clock.now();
       while (const std::optional<SickTelegram> telegram = m_reader.next()) {
         take(*telegram, now);
       }
@@ -205,8 +190,11 @@ void SickLaser::take(const SickTelegram &telegram, Time now)
   if (!scan || !scan->whole || std::cmp_not_equal(scan->counts.size(), expected)) {
     return; // another telegram, or a measurement from before the configuration
   }
+  const double onTheLine =
+      kBitsPerByte * static_cast<double>(telegram.payload.size() + kFrameSize) / m_options.baud;
   const std::lock_guard lock(m_knowing);
-  m_scan = sickRanges(*scan, kFlagBits, radians(m_options.fieldOfView), now);
+  m_scan =
+      sickRanges(*scan, kFlagBits, radians(m_options.fieldOfView), now - fromSeconds(onTheLine));
   m_heard = now;
 }
 
@@ -216,7 +204,7 @@ std::optional<Scan> SickLaser::scan()
   if (!m_failure.empty()) {
     throw DeviceError("SICK laser is lost: " + m_failure);
   }
-  const Duration age = SteadyClock().now() - m_heard;
+  const Duration age = m_clock.now() - m_heard;
   if (age > m_options.silence) {
     throw DeviceError("SICK laser has been silent for " + std::to_string(toSeconds(age)) + " s");
   }

@@ -5,15 +5,31 @@
 
 namespace homeward
 {
+namespace
+{
+
+using Machine = std::chrono::steady_clock;
+
+/** Nanoseconds times a factor. */
+std::chrono::nanoseconds scaled(std::chrono::nanoseconds span, double factor)
+{
+  return std::chrono::round<std::chrono::nanoseconds>(
+      std::chrono::duration<double, std::nano>(span) * factor);
+}
+
+} // namespace
 
 Time SteadyClock::now() const
 {
-  return Time(std::chrono::steady_clock::now().time_since_epoch());
+  return Time(scaled(Machine::now().time_since_epoch(), m_rate));
 }
 
 void SteadyClock::sleepUntil(Time instant)
 {
-  std::this_thread::sleep_until(std::chrono::steady_clock::time_point(instant.time_since_epoch()));
+  // Rounding may wake it a nanosecond early.
+  for (Time before = now(); before < instant; before = now()) {
+    std::this_thread::sleep_for(scaled(instant - before, 1.0 / m_rate));
+  }
 }
 
 } // namespace homeward

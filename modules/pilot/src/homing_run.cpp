@@ -78,7 +78,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
 void HomingRun::perceive()
 {
   const Time now = m_motion.devices().clock.now();
-  if (const auto result = m_worker.deliver(now, true)) {
+  if (const auto result = m_worker.deliver(now, m_options.waitForVision)) {
     if (*result && (*result)->confidence >= m_options.minConfidence) {
       take(**result, m_pictureAt);
       m_lastSeen = now;
@@ -89,7 +89,7 @@ void HomingRun::perceive()
     if (!frame) {
       throw DeviceError("the camera has no more pictures; the robot cannot home without");
     }
-    m_pictureAt = m_motion.pose();
+    m_pictureAt = m_motion.poseAt(frame->stamp);
     m_nextPicture = now + fromSeconds(m_options.visionPeriod);
     m_worker.request(now, [look = m_look, image = frame->image] { return look(image); });
   }

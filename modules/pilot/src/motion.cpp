@@ -5,6 +5,8 @@
 #include <homeward/laser/clearance.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace homeward
 {
@@ -65,29 +67,79 @@ Motion::~Motion()
   }
 }
 
-void Motion::look()
+void Motion::read()
 {
   m_nextTick = std::max(m_nextTick + fromSeconds(m_options.tickSeconds), m_devices.clock.now());
   m_devices.clock.sleepUntil(m_nextTick);
-  const Pose2 before = m_sight.base.odometry;
   m_sight.base = m_devices.base.state();
   m_sight.scan = m_devices.laser.scan();
-  const Time now = m_devices.clock.now();
-  const Duration stale = fromSeconds(m_options.staleSeconds);
-  if (now - m_sight.base.stamp > stale) {
-    throw DeviceError("the base has been silent for " +
-                      std::to_string(toSeconds(now - m_sight.base.stamp)) + " s; check its link");
+  constexpr std::size_t kPast = 30;
+  if (m_past.empty() || m_past.back().stamp < m_sight.base.stamp) {
+    m_past.push_back(m_sight.base);
   }
-  if (!m_sight.scan || now - m_sight.scan->stamp > stale) {
-    throw DeviceError("the laser has been silent for more than " +
-                      std::to_string(m_options.staleSeconds) + " s; check its link");
+  if (m_past.size() > kPast) {
+    m_past.pop_front();
+  }
+}
+
+Pose2 Motion::poseAt(Time instant) const
+{
+  constexpr double kMostAhead = 0.3; // s
+  if (m_past.empty() || instant == m_sight.base.stamp) {
+    return pose();
+  }
+  const auto after = std::find_if(m_past.begin(), m_past.end(), [instant](const BaseState &state) {
+    return state.stamp >= instant;
+  });
+  if (after == m_past.begin()) {
+    return after->odometry;
+  }
+  if (after == m_past.end()) {
+    const double ahead = std::min(toSeconds(instant - m_past.back().stamp), kMostAhead);
+    return m_past.back().odometry * integrate(m_past.back().velocity, ahead);
+  }
+  const BaseState &before = *std::prev(after);
+  const double share = toSeconds(instant - before.stamp) / toSeconds(after->stamp - before.stamp);
+  const Pose2 step = before.odometry.inverse() * after->odometry;
+  return before.odometry * Pose2{share * step.x, share * step.y, share * step.heading};
+}
+
+std::string Motion::silentDevice() const
+{
+  const Time now = m_devices.clock.now();
+  const auto silent = [now](Time heard, double most) { return toSeconds(now - heard) > most; };
+  if (silent(m_sight.base.stamp, m_options.baseSilence)) {
+    return "base";
+  }
+  if (!m_sight.scan || silent(m_sight.scan->stamp, m_options.laserSilence)) {
+    return "laser";
+  }
+  const std::optional<Time> picture = m_devices.camera.newest();
+  return picture && silent(*picture, m_options.cameraSilence) ? "camera" : "";
+}
+
+void Motion::look()
+{
+  const Eigen::Vector2d before = pose().translation();
+  read();
+  const Time begin = m_devices.clock.now();
+  for (std::string silent = silentDevice(); !silent.empty(); silent = silentDevice()) {
+    m_devices.base.drive({});
+    if (m_stop) {
+      throw StopRequested{};
+    }
+    if (toSeconds(m_devices.clock.now() - begin) > m_options.lostSeconds) {
+      throw DeviceError("the " + silent + " has been silent for more than " +
+                        std::to_string(std::lround(m_options.lostSeconds)) + " s; check its link");
+    }
+    read();
   }
   if (m_looked) {
-    m_travelled += (pose().translation() - before.translation()).norm();
+    m_travelled += (pose().translation() - before).norm();
   }
   m_looked = true;
-  m_memory.update(*m_sight.scan, m_rMl, pose());
-  m_memory.update(m_sight.base.sonar, pose(), now);
+  m_memory.update(*m_sight.scan, m_rMl, poseAt(m_sight.scan->stamp));
+  m_memory.update(m_sight.base.sonar, pose(), m_devices.clock.now());
   m_sight.points = m_memory.points(pose());
 }
 

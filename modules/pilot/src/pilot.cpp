@@ -51,8 +51,17 @@ Report Pilot::execute(const Command &command)
 
 Panorama Pilot::look()
 {
-  const std::optional<Frame> frame = m_motion.devices().camera.grab();
-  if (!frame) {
+  constexpr int kPatience = 50; // ticks
+  const Devices &devices = m_motion.devices();
+  const Time standing = devices.clock.now();
+  std::optional<Frame> frame = devices.camera.grab();
+  // A camera that runs by itself may still show where the robot drove a moment ago.
+  for (int i = 0; i < kPatience && frame && frame->stamp < standing; ++i) {
+    m_motion.hold();
+    m_motion.tick();
+    frame = devices.camera.grab();
+  }
+  if (!frame || frame->stamp < standing) {
     throw DeviceError("the camera has no more pictures");
   }
   followCamera(frame->image);
@@ -135,13 +144,13 @@ Report Pilot::run(const Survey &)
 Scan Pilot::scanAllRound(const Pose2 &oMr)
 {
   const Scan front = *m_motion.tick().scan;
-  const Pose2 oMfront = m_motion.pose();
+  const Pose2 oMfront = m_motion.poseAt(front.stamp);
   std::vector<PlacedScan> scans{{front, oMr.inverse() * oMfront}};
   const double seen = front.angleStep * static_cast<double>(front.ranges.size());
   if (seen < 2.0 * kPi - 2.0 * front.angleStep) {
     m_motion.turnTo(wrapAngle(oMr.heading + kPi));
     const Scan back = *m_motion.tick().scan;
-    scans.push_back({back, oMr.inverse() * m_motion.pose()});
+    scans.push_back({back, oMr.inverse() * m_motion.poseAt(back.stamp)});
   }
   return joinScans(scans, m_robot.rMl);
 }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 #include <yaml-cpp/yaml.h>
 
 namespace homeward
@@ -84,6 +87,130 @@ Limits limits(const YAML::Node &node, const std::string &prefix, const std::stri
   return result;
 }
 
+/** One section of the file. Every key in it must have been asked for. */
+class Section
+{
+public:
+  Section(const YAML::Node &root, std::string name, std::string origin)
+      : m_node(root[name]), m_name(std::move(name)), m_origin(std::move(origin))
+  {
+    if (!m_node) {
+      throw ConfigError(m_origin + ": '" + m_name + "' is missing; base, laser and capture " +
+                        "belong together");
+    }
+    if (!m_node.IsMap()) {
+      throw ConfigError(m_origin + ": '" + m_name + "' is " + shown(m_node) +
+                        "; a map is expected");
+    }
+  }
+
+  std::string text(const std::string &key)
+  {
+    const YAML::Node value = take(key);
+    if (!value || !value.IsScalar() || value.Scalar().empty()) {
+      throw ConfigError(m_origin + ": '" + m_name + "." + key + "' is " +
+                        (value ? shown(value) : "missing") + "; text is expected");
+    }
+    return value.Scalar();
+  }
+
+  double number(const std::string &key, double fallback)
+  {
+    const YAML::Node value = take(key);
+    return value ? positive(value, m_name + "." + key, m_origin) : fallback;
+  }
+
+  /** The value that the text of a key stands for. */
+  template <class T>
+  T choice(const std::string &key, const std::vector<std::pair<std::string, T>> &choices)
+  {
+    const std::string word = text(key);
+    std::string known;
+    for (const auto &[name, value] : choices) {
+      if (name == word) {
+        return value;
+      }
+      known += (known.empty() ? "" : ", ") + name;
+    }
+    throw ConfigError(m_origin + ": '" + m_name + "." + key + "' is '" + word + "'; one of " +
+                      known + " is expected");
+  }
+
+  void refuseOthers() const
+  {
+    for (const auto &entry : m_node) {
+      const std::string key = entry.first.Scalar();
+      if (!m_taken.contains(key)) {
+        throw ConfigError(m_origin + ": unknown key '" + m_name + "." + key + "'");
+      }
+    }
+  }
+
+private:
+  YAML::Node take(const std::string &key)
+  {
+    m_taken.insert(key);
+    return m_node[key];
+  }
+
+  const YAML::Node m_node; ///< const: looking a key up must not add it
+  std::string m_name;
+  std::string m_origin;
+  std::set<std::string> m_taken;
+};
+
+BaseLink baseLink(const YAML::Node &root, const std::string &origin)
+{
+  Section section(root, "base", origin);
+  BaseLink base;
+  base.address = section.text("address");
+  base.baud = static_cast<int>(section.number("baud", base.baud));
+  base.period = section.number("period_s", base.period);
+  section.refuseOthers();
+  return base;
+}
+
+LaserLink laserLink(const YAML::Node &root, const std::string &origin)
+{
+  using Kind = LaserLink::Kind;
+  Section section(root, "laser", origin);
+  LaserLink laser;
+  laser.kind = section.choice<Kind>("kind", {{"lms200", Kind::Lms200}, {"on_base", Kind::OnBase}});
+  if (laser.kind == Kind::Lms200) {
+    laser.address = section.text("address");
+    laser.baud = static_cast<int>(section.number("baud", laser.baud));
+    laser.resolution = static_cast<int>(std::lround(100.0 * section.number("resolution_deg", 1.0)));
+  }
+  laser.period = section.number("period_s", laser.period);
+  section.refuseOthers();
+  return laser;
+}
+
+CaptureLink captureLink(const YAML::Node &root, const std::string &origin)
+{
+  using Kind = CaptureLink::Kind;
+  Section section(root, "capture", origin);
+  CaptureLink capture;
+  capture.kind = section.choice<Kind>("kind", {{"stream", Kind::Stream},
+                                               {"v4l2", Kind::V4l2},
+                                               {"files", Kind::Files},
+                                               {"film", Kind::Film}});
+  capture.source = section.text("source");
+  capture.period = section.number("period_s", capture.period);
+  capture.latency = section.number("latency_s", capture.latency);
+  section.refuseOthers();
+  return capture;
+}
+
+DeviceLinks deviceLinks(const YAML::Node &root, const std::string &origin)
+{
+  DeviceLinks devices{baseLink(root, origin), laserLink(root, origin), captureLink(root, origin)};
+  if (root["clock_rate"]) {
+    devices.clockRate = positive(root["clock_rate"], "clock_rate", origin);
+  }
+  return devices;
+}
+
 } // namespace
 
 Limits parseLimits(const std::string &yaml, const std::string &origin)
@@ -94,7 +221,9 @@ Limits parseLimits(const std::string &yaml, const std::string &origin)
 Rig parseRig(const std::string &yaml, const std::string &origin)
 {
   const YAML::Node root = load(yaml, origin, "robot: FILE");
+  const std::set<std::string> kDeviceKeys = {"base", "laser", "capture", "clock_rate"};
   Rig rig;
+  bool real = false;
   for (const auto &entry : root) {
     const std::string key = entry.first.Scalar();
     if (key == "robot") {
@@ -109,12 +238,18 @@ Rig parseRig(const std::string &yaml, const std::string &origin)
       }
       rig.limits = limits(entry.second, "limits.", origin);
     }
+    else if (kDeviceKeys.contains(key)) {
+      real = true;
+    }
     else {
       throw ConfigError(origin + ": unknown key '" + key + "'");
     }
   }
   if (rig.robot.empty() || rig.camera.empty()) {
     throw ConfigError(origin + ": '" + (rig.robot.empty() ? "robot" : "camera") + "' is missing");
+  }
+  if (real) {
+    rig.devices = deviceLinks(root, origin);
   }
   return rig;
 }

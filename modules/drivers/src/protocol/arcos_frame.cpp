@@ -82,6 +82,8 @@ void ArcosReader::push(std::span<const std::uint8_t> bytes, Time now)
   if (bytes.empty()) {
     return;
   }
+  m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(m_begin));
+  m_begin = 0;
   if (now - m_lastByte > kLongestPause) {
     m_bytes.clear(); // next() has taken the whole ones: what is left is a torn frame
   }
@@ -91,23 +93,25 @@ void ArcosReader::push(std::span<const std::uint8_t> bytes, Time now)
 
 std::optional<ArcosPacket> ArcosReader::next()
 {
-  while (m_bytes.size() >= 3) {
-    const std::size_t length = m_bytes[2];
-    if (m_bytes[0] != kHeader0 || m_bytes[1] != kHeader1 || length < 3) {
-      m_bytes.pop_front();
+  constexpr std::size_t kHead = 3; // header and length
+  constexpr std::size_t kSum = 2;
+  while (m_bytes.size() >= m_begin + kHead) {
+    const std::span<const std::uint8_t> rest = std::span(m_bytes).subspan(m_begin);
+    const std::size_t length = rest[2];
+    if (rest[0] != kHeader0 || rest[1] != kHeader1 || length < 1 + kSum) {
+      ++m_begin;
       continue;
     }
-    if (m_bytes.size() < length + 3) {
+    if (rest.size() < kHead + length) {
       return std::nullopt;
     }
-    const Bytes content(m_bytes.begin() + 3,
-                        m_bytes.begin() + static_cast<std::ptrdiff_t>(length) + 1);
-    const unsigned sum = static_cast<unsigned>(m_bytes[length + 1]) << 8U | m_bytes[length + 2];
+    const auto content = rest.subspan(kHead, length - kSum);
+    const unsigned sum = static_cast<unsigned>(rest[length + 1]) << 8U | rest[length + 2];
     if (sum != arcosChecksum(content)) {
-      m_bytes.pop_front(); // the length may be what is broken: look for a frame inside
+      ++m_begin; // the length may be what is broken: look for a frame inside
       continue;
     }
-    m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(length) + 3);
+    m_begin += kHead + length;
     return ArcosPacket{content.front(), Bytes(content.begin() + 1, content.end())};
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 #include <homeward/drivers/protocol/arcos.h>
 
 #include "field_reader.h"
+#include "field_writer.h"
 
 namespace homeward
 {
@@ -11,17 +12,6 @@ namespace
 /** Bytes of the tail before and after the turn rate, in a robot that says it. */
 constexpr std::size_t kTailBeforeTurnRate = 8;
 constexpr std::uint8_t kNoTemperature = 0x81;
-
-void put16(Bytes &bytes, std::uint16_t value)
-{
-  bytes.push_back(static_cast<std::uint8_t>(value & 0xFFU));
-  bytes.push_back(static_cast<std::uint8_t>(value >> 8U));
-}
-
-void putSigned(Bytes &bytes, std::int16_t value)
-{
-  put16(bytes, static_cast<std::uint16_t>(value));
-}
 
 /** Difference of two counters modulo 2^15, the nearer way round. */
 int counterStep(std::uint16_t from, std::uint16_t to)
@@ -35,9 +25,9 @@ int counterStep(std::uint16_t from, std::uint16_t to)
 ArcosPacket encodeIdentity(const ArcosIdentity &identity)
 {
   ArcosPacket packet{static_cast<std::uint8_t>(ArcosCommand::Sync2), {}};
+  FieldWriter writer(packet.args);
   for (const std::string &text : {identity.name, identity.robotClass, identity.subclass}) {
-    packet.args.insert(packet.args.end(), text.begin(), text.end());
-    packet.args.push_back(0);
+    writer.text(text);
   }
   return packet;
 }
@@ -55,28 +45,31 @@ std::optional<ArcosIdentity> parseIdentity(const ArcosPacket &packet)
 ArcosPacket encodeSip(const ArcosSip &sip)
 {
   ArcosPacket packet{sip.moving ? kSipMoving : kSipStopped, {}};
-  Bytes &bytes = packet.args;
-  put16(bytes, sip.x);
-  put16(bytes, sip.y);
-  putSigned(bytes, sip.heading);
-  putSigned(bytes, sip.leftSpeed);
-  putSigned(bytes, sip.rightSpeed);
-  bytes.push_back(sip.battery);
-  put16(bytes, sip.stall);
-  putSigned(bytes, sip.control);
-  put16(bytes, sip.flags);
-  bytes.push_back(sip.compass);
-  bytes.push_back(static_cast<std::uint8_t>(sip.sonars.size()));
+  FieldWriter writer(packet.args);
+  writer.u16(sip.x);
+  writer.u16(sip.y);
+  writer.i16(sip.heading);
+  writer.i16(sip.leftSpeed);
+  writer.i16(sip.rightSpeed);
+  writer.u8(sip.battery);
+  writer.u16(sip.stall);
+  writer.i16(sip.control);
+  writer.u16(sip.flags);
+  writer.u8(sip.compass);
+  writer.u8(static_cast<std::uint8_t>(sip.sonars.size()));
   for (const ArcosSonar &sonar : sip.sonars) {
-    bytes.push_back(sonar.index);
-    put16(bytes, sonar.range);
+    writer.u8(sonar.index);
+    writer.u16(sonar.range);
   }
   if (sip.turnRate) {
-    bytes.insert(bytes.end(), {0, 0, 0, 0xFF, 0xFF}); // gripper, analog, digital
-    put16(bytes, sip.battery);
-    bytes.push_back(0); // charge state
-    putSigned(bytes, *sip.turnRate);
-    bytes.insert(bytes.end(), {0, 0, 0, 0, kNoTemperature, 0}); // faults, lateral, charge
+    writer.zeros(3);    // gripper, analog
+    writer.u16(0xFFFF); // digital in and out
+    writer.u16(sip.battery);
+    writer.u8(0); // charge state
+    writer.i16(*sip.turnRate);
+    writer.zeros(4); // faults, lateral speed
+    writer.u8(kNoTemperature);
+    writer.u8(0); // state of charge
   }
   return packet;
 }
@@ -100,6 +93,7 @@ std::optional<ArcosSip> parseSip(const ArcosPacket &packet)
   sip.flags = reader.u16();
   sip.compass = reader.u8();
   const std::size_t sonars = reader.u8();
+  sip.sonars.reserve(sonars);
   for (std::size_t i = 0; i < sonars; ++i) {
     const std::uint8_t index = reader.u8();
     sip.sonars.push_back({index, reader.u16()});

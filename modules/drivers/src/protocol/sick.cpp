@@ -55,31 +55,35 @@ Bytes frameSick(const SickTelegram &telegram)
 
 void SickReader::push(std::span<const std::uint8_t> bytes)
 {
+  m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(m_begin));
+  m_begin = 0;
   m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
 }
 
 std::optional<SickTelegram> SickReader::next()
 {
-  constexpr std::size_t kOverhead = 6;
-  while (m_bytes.size() >= kOverhead) {
-    const std::size_t length = m_bytes[2] | static_cast<std::size_t>(m_bytes[3]) << 8U;
-    const bool address = m_bytes[1] == kSickHost || m_bytes[1] == kSickScanner;
-    if (m_bytes[0] != kStart || !address || length == 0 || length > kLargestPayload) {
-      m_bytes.pop_front();
+  constexpr std::size_t kHead = 4; // start, address, length
+  constexpr std::size_t kOverhead = kHead + 2;
+  while (m_bytes.size() >= m_begin + kOverhead) {
+    const std::span<const std::uint8_t> rest = std::span(m_bytes).subspan(m_begin);
+    const std::size_t length = rest[2] | static_cast<std::size_t>(rest[3]) << 8U;
+    const bool address = rest[1] == kSickHost || rest[1] == kSickScanner;
+    if (rest[0] != kStart || !address || length == 0 || length > kLargestPayload) {
+      ++m_begin;
       continue;
     }
-    if (m_bytes.size() < length + kOverhead) {
+    if (rest.size() < length + kOverhead) {
       return std::nullopt;
     }
-    const auto end = m_bytes.begin() + static_cast<std::ptrdiff_t>(length) + 4;
-    const Bytes frame(m_bytes.begin(), end);
-    const unsigned crc = *end | static_cast<unsigned>(*(end + 1)) << 8U;
-    if (crc != sickCrc(frame)) {
-      m_bytes.pop_front();
+    const auto payload = rest.subspan(kHead, length);
+    const unsigned crc = rest[kHead + length] | static_cast<unsigned>(rest[kHead + length + 1])
+                                                    << 8U;
+    if (crc != sickCrc(rest.first(kHead + length))) {
+      ++m_begin;
       continue;
     }
-    m_bytes.erase(m_bytes.begin(), end + 2);
-    return SickTelegram{frame[1], Bytes(frame.begin() + 4, frame.end())};
+    m_begin += length + kOverhead;
+    return SickTelegram{rest[1], Bytes(payload.begin(), payload.end())};
   }
   return std::nullopt;
 }
@@ -117,6 +121,7 @@ std::optional<SickScan> parseSickScan(const SickTelegram &telegram)
   if (reader.left() < 2 * count + 1) {
     return std::nullopt;
   }
+  scan.counts.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     scan.counts.push_back(reader.u16());
   }
@@ -137,6 +142,7 @@ Scan sickRanges(const SickScan &scan, int flagBits, double fieldOfView, Time sta
   result.angleMin = -fieldOfView / 2.0;
   result.angleStep = fieldOfView / static_cast<double>(scan.counts.size() - 1);
   result.rangeMax = static_cast<float>(beyond * scan.unit);
+  result.ranges.reserve(scan.counts.size());
   for (const std::uint16_t count : scan.counts) {
     const unsigned value = count & mask;
     result.ranges.push_back(value > beyond ? kUnknownRange : static_cast<float>(value * scan.unit));

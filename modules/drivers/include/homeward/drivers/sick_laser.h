@@ -3,6 +3,7 @@
 
 #include <homeward/drivers/byte_stream.h>
 #include <homeward/drivers/protocol/sick.h>
+#include <homeward/drivers/steady_clock.h>
 #include <homeward/robot/laser_scanner.h>
 
 #include <memory>
@@ -22,12 +23,14 @@ struct SickOptions
   int baud = 38400;      ///< speed to measure at: 9600, 19200 or 38400
   Duration answerTimeout = std::chrono::seconds(1);  ///< of an ordinary telegram
   Duration configTimeout = std::chrono::seconds(15); ///< of one that writes to its memory
-  Duration silence = std::chrono::seconds(2);        ///< without a scan: the laser counts as gone
+  Duration silence = std::chrono::seconds(2); ///< robot time without a scan: it counts as gone
+  double clockRate = 1.0;                     ///< see SteadyClock
 };
 
 /**
- * A SICK LMS-2xx on a serial line, in millimetres up to 32 m. One thread reads its scans. The
- * scanner's stored configuration is written only where it differs.
+ * A SICK LMS-2xx on a serial line, in millimetres up to 32 m. One thread reads its scans and stamps
+ * them with the time when their first byte left the scanner. The scanner's stored configuration is
+ * written only where it differs.
  */
 class SickLaser final : public LaserScanner
 {
@@ -54,6 +57,7 @@ private:
   void take(const SickTelegram &telegram, Time now);
 
   SickOptions m_options;
+  SteadyClock m_clock{m_options.clockRate};
   std::unique_ptr<ByteStream> m_stream;
   SickReader m_reader;
 

@@ -34,6 +34,9 @@ struct HomingRunOptions
   double retreat = 0.6;         ///< metres it backs out along the way it came
   double timeoutSeconds = 75.0; ///< s altogether
   double departureDistance = 1.5; ///< metres over which a known departure bearing is trusted
+  /** A home vector that is late is waited for: the same run comes out on a slow machine. Only where
+   * time stands still meanwhile, in simulation. */
+  bool waitForVision = true;
 };
 
 /**

@@ -11,7 +11,9 @@
 #include <homeward/robot/robot_description.h>
 
 #include <atomic>
+#include <deque>
 #include <optional>
+#include <string>
 
 namespace homeward
 {
@@ -29,17 +31,20 @@ struct Devices
 struct MotionOptions
 {
   double tickSeconds = 0.1;
-  double staleSeconds = 0.5; ///< a scan or state older than this stops the robot
-  double maxSpeed = 0.5;     ///< m/s
-  double maxTurnRate = 1.0;  ///< rad/s
-  double margin = 0.10;      ///< metres preferred round the body
-  double minMargin = 0.08;   ///< metres kept round it in any case: furniture is wider lower down
-  double tightMargin = 0.03; ///< metres kept where there is no other way, ...
-  double tightSpeed = 0.15;  ///< m/s, ... driven slowly
-  double tightSeconds = 3.0; ///< s it goes on so, lest it turns to and fro
-  double creepNear = 0.07;   ///< metres from what is seen where ...
-  double creepSpeed = 0.04;  ///< m/s, ... no part of the body moves faster
-  double retreat = 0.3;      ///< metres driven back along the way it came after a contact
+  double baseSilence = 0.3;   ///< s without news of the base: the robot waits, standing
+  double laserSilence = 0.3;  ///< s without a scan, likewise
+  double cameraSilence = 0.5; ///< s without a picture, likewise, of a camera that runs by itself
+  double lostSeconds = 5.0;   ///< s of waiting after which a silent device is lost
+  double maxSpeed = 0.5;      ///< m/s
+  double maxTurnRate = 1.0;   ///< rad/s
+  double margin = 0.10;       ///< metres preferred round the body
+  double minMargin = 0.08;    ///< metres kept round it in any case: furniture is wider lower down
+  double tightMargin = 0.03;  ///< metres kept where there is no other way, ...
+  double tightSpeed = 0.15;   ///< m/s, ... driven slowly
+  double tightSeconds = 3.0;  ///< s it goes on so, lest it turns to and fro
+  double creepNear = 0.07;    ///< metres from what is seen where ...
+  double creepSpeed = 0.04;   ///< m/s, ... no part of the body moves faster
+  double retreat = 0.3;       ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
 
@@ -74,14 +79,18 @@ public:
   Motion &operator=(const Motion &) = delete;
 
   /**
-   * Waits for the next tick and looks. Frees the robot first when something holds it.
-   * @throw DeviceError when a device is gone or stale, StopRequested; the robot stands in both
-   * cases
+   * Waits for the next tick and looks. While a device is silent the robot stands and the tick
+   * waits for it. Frees the robot first when something holds it.
+   * @throw DeviceError when a device is gone or does not come back, StopRequested; the robot stands
+   * in both cases
    */
   const Sight &tick();
 
   const Sight &sight() const { return m_sight; }
   const Pose2 &pose() const { return m_sight.base.odometry; }
+
+  /** Where the robot was, or will be if it goes on so, odometry frame; a few seconds back. */
+  Pose2 poseAt(Time instant) const;
 
   /** Metres driven so far, along the path. */
   double travelled() const { return m_travelled; }
@@ -129,6 +138,8 @@ public:
 
 private:
   void look();
+  void read();
+  std::string silentDevice() const;
   void backOff();
   void believeInContact();
   void command(const Twist2 &twist);
@@ -147,6 +158,7 @@ private:
   Trail m_trail;
   Twist2 m_commanded; ///< last
   Sight m_sight;
+  std::deque<BaseState> m_past; ///< a few seconds, oldest first
   Time m_nextTick;
   Time m_tightUntil{}; ///< tight ways are taken until then
   double m_travelled = 0.0;

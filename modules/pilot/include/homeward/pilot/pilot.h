@@ -46,6 +46,9 @@ public:
   /** The panorama taken by the last Survey, gray. */
   const Panorama &view() const { return m_view; }
 
+  /** Metres driven so far, by odometry. */
+  double travelled() const { return m_motion.travelled(); }
+
   /** Makes a node known by sight. @param panorama as decoded from the map file */
   void remember(NodeId node, const Panorama &panorama);
 

@@ -24,6 +24,10 @@ public:
 
   /** The newest picture; nothing when the source has ended. @throw DeviceError when it is gone */
   virtual std::optional<Frame> grab() = 0;
+
+  /** When the newest picture came, of a source that runs by itself; nothing of one that takes a
+   * picture when it is asked to. */
+  virtual std::optional<Time> newest() const { return std::nullopt; }
 };
 
 } // namespace homeward

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace homeward
@@ -17,12 +18,61 @@ struct Limits
   double turnAcceleration = 1.7; ///< rad/s^2, of the rotation, both ways
 };
 
+/** How the base is reached. */
+struct BaseLink
+{
+  std::string address; ///< `tcp:HOST:PORT`, or the path of a serial line
+  int baud = 9600;
+  double period = 0.1; ///< seconds between its packets
+};
+
+/** Which laser there is and how it is reached. */
+struct LaserLink
+{
+  enum class Kind
+  {
+    Lms200, ///< SICK LMS-2xx on a serial line
+    OnBase  ///< laser packets of a simulated robot, on the base's own connection
+  };
+  Kind kind = Kind::Lms200;
+  std::string address;  ///< path of the serial line
+  int baud = 38400;     ///< at which it measures
+  int resolution = 100; ///< hundredths of a degree
+  double period = 0.1;  ///< seconds between its scans
+};
+
+/** Where pictures come from. */
+struct CaptureLink
+{
+  enum class Kind
+  {
+    Stream, ///< a URL: MJPEG over HTTP, RTSP
+    V4l2,   ///< number of a Video4Linux device
+    Files,  ///< numbered pictures, `pictures/%04d.png`
+    Film    ///< a film file
+  };
+  Kind kind = Kind::Stream;
+  std::string source;
+  double period = 0.1;  ///< seconds between pictures
+  double latency = 0.0; ///< seconds from the light to the picture's arrival
+};
+
+/** The real devices of a robot. */
+struct DeviceLinks
+{
+  BaseLink base;
+  LaserLink laser;
+  CaptureLink capture;
+  double clockRate = 1.0; ///< seconds of its life in one of ours; 1 for everything real
+};
+
 /** What stands on the floor: which robot, which camera, and what is asked of them. */
 struct Rig
 {
   std::filesystem::path robot;  ///< URDF file, as written: relative to the rig file
   std::filesystem::path camera; ///< camera file, as written: relative to the rig file
   Limits limits;
+  std::optional<DeviceLinks> devices; ///< nothing: it exists in simulation only
 };
 
 /**
@@ -35,10 +85,17 @@ Limits parseLimits(const std::string &yaml, const std::string &origin);
 
 /**
  * Reads a rig file: `robot: FILE`, `camera: FILE`, `limits: {...}` with the keys of parseLimits().
+ * A rig of real devices has also
+ * - `base: {address: tcp:HOST:PORT or /dev/..., baud: N, period_s: S}`,
+ * - `laser: {kind: lms200 or on_base, address: /dev/..., baud: N, resolution_deg: 1, 0.5 or 0.25,
+ *   period_s: S}`,
+ * - `capture: {kind: stream, v4l2, files or film, source: ..., period_s: S, latency_s: S}`,
+ * - and, where a simulated robot lives faster than we do, `clock_rate: N`.
+ *
  * @param yaml its text
  * @param origin the file's name, for messages
- * @throw ConfigError naming key, value and file: a key that is unknown or missing, a limit that is
- * not a positive number
+ * @throw ConfigError naming key, value and file: a key that is unknown or missing, a number that is
+ * not positive, a word that is none of those above
  */
 Rig parseRig(const std::string &yaml, const std::string &origin);
 

@@ -5,7 +5,6 @@
 #include <homeward/core/time.h>
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +30,7 @@ enum class ArcosCommand : std::uint8_t
   SetA = 5,    ///< mm/s^2; negative sets the deceleration
   SetV = 6,    ///< largest speed, mm/s
   SetO = 7,    ///< odometry to zero
+  Rotate = 9,  ///< deg/s, as RVel
   SetRv = 10,  ///< largest turn rate, deg/s
   Vel = 11,    ///< mm/s
   Config = 18, ///< asks for the configuration packet
@@ -39,7 +39,17 @@ enum class ArcosCommand : std::uint8_t
   Sonar = 28,  ///< 1 or 0
   Stop = 29,
   Vel2 = 32, ///< two signed bytes, right then left wheel, 20 mm/s each
-  EStop = 55
+  EStop = 55,
+  // Of simulators only; a real robot passes over them.
+  OldLaserEnable = 35,    ///< 1 asks for packets 0x60, 2 for 0x61, 0 for none
+  OldLaserStart = 36,     ///< deg, counter-clockwise
+  OldLaserEnd = 37,       ///< deg
+  OldLaserIncrement = 38, ///< 0.01 deg
+  SimSetPose = 224,       ///< type byte, then three int32: mm, mm, deg; odometry does not notice
+  SimLaserEnable = 230,   ///< as OldLaserEnable; a laser's index may follow
+  SimLaserStart = 231,    ///< deg
+  SimLaserEnd = 232,      ///< deg
+  SimLaserIncrement = 233 ///< 0.01 deg
 };
 
 /** Packet ids of the standard server information packet. */
@@ -84,7 +94,8 @@ public:
   std::optional<ArcosPacket> next();
 
 private:
-  std::deque<std::uint8_t> m_bytes;
+  Bytes m_bytes;
+  std::size_t m_begin = 0; ///< of what has not been read yet
   Time m_lastByte{};
 };
 

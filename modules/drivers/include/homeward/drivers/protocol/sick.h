@@ -5,7 +5,6 @@
 #include <homeward/drivers/protocol/arcos.h>
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 
@@ -44,7 +43,8 @@ public:
   std::optional<SickTelegram> next();
 
 private:
-  std::deque<std::uint8_t> m_bytes;
+  Bytes m_bytes;
+  std::size_t m_begin = 0; ///< of what has not been read yet
 };
 
 /** A measurement telegram (B0). */

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mission_robot.h"
+
+#include "real_robot.h"
+#include "remote_truth.h"
+
+#include <homeward/core/error.h>
+
+namespace homeward
+{
+namespace
+{
+
+class InProcess final : public MissionRobot
+{
+public:
+  InProcess(const SimulationArguments &arguments, std::optional<Pose2> start)
+      : m_robot(arguments, start), m_world{m_robot.worldFile(), arguments.light, arguments.seed}
+  {}
+
+  Devices devices() override { return m_robot.devices(); }
+  const RobotFiles &files() const override { return m_robot.files(); }
+  bool runsByItself() const override { return false; }
+  std::optional<SimulatedWorld> world() const override { return m_world; }
+  std::optional<Truth> truth() const override { return m_robot.simulator().truth(); }
+  const FreeSpace *freeSpace() override { return &m_robot.simulator().freeSpace(); }
+
+private:
+  SimulatedRobot m_robot;
+  SimulatedWorld m_world;
+};
+
+class Connected final : public MissionRobot
+{
+public:
+  Connected(RobotFiles files, const std::string &truth)
+      : m_files(std::move(files)), m_robot(m_files)
+  {
+    if (!truth.empty()) {
+      m_truth = std::make_unique<RemoteTruth>(truth, m_files);
+    }
+  }
+
+  Devices devices() override { return m_robot.devices(); }
+  const RobotFiles &files() const override { return m_files; }
+  bool runsByItself() const override { return true; }
+
+  std::optional<SimulatedWorld> world() const override
+  {
+    return m_truth ? std::optional(m_truth->world()) : std::nullopt;
+  }
+
+  std::optional<Truth> truth() const override
+  {
+    return m_truth ? std::optional(m_truth->now()) : std::nullopt;
+  }
+
+  const FreeSpace *freeSpace() override { return m_truth ? &m_truth->freeSpace() : nullptr; }
+
+private:
+  RobotFiles m_files;
+  RealRobot m_robot;
+  std::unique_ptr<RemoteTruth> m_truth;
+};
+
+} // namespace
+
+void addRobotArguments(CLI::App &command, RobotArguments &arguments)
+{
+  addSimulationArguments(command, arguments.simulation);
+  command
+      .add_option("--clock-rate", arguments.clockRate,
+                  "The --speed of the pioneer-sim that a real rig names (default: as the rig says)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--truth", arguments.truth,
+                     "Judge the mission by what a pioneer-sim at this URL knows");
+}
+
+std::unique_ptr<MissionRobot> makeMissionRobot(const RobotArguments &arguments,
+                                               std::optional<Pose2> start)
+{
+  RobotFiles files = loadRobotFiles(arguments.simulation.rig);
+  if (!files.rig.devices) {
+    if (arguments.clockRate != 0.0 || !arguments.truth.empty()) {
+      throw ConfigError("--clock-rate and --truth need a rig with real devices, and " +
+                        files.rigFile.string() + " has none");
+    }
+    return std::make_unique<InProcess>(arguments.simulation, start);
+  }
+  if (!arguments.simulation.world.empty() || !arguments.simulation.start.empty()) {
+    throw ConfigError("the rig " + files.rigFile.string() +
+                      " is a real one: it has no --world and no --start");
+  }
+  if (arguments.clockRate != 0.0) {
+    files.rig.devices->clockRate = arguments.clockRate;
+  }
+  return std::make_unique<Connected>(std::move(files), arguments.truth);
+}
+
+} // namespace homeward

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot_files.h"
+#include "simulated_robot.h"
+
+#include <homeward/pilot/motion.h>
+#include <homeward/sim/simulator.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace homeward
+{
+
+/** What is known of the world that a simulated robot stands in. */
+struct SimulatedWorld
+{
+  std::string world; ///< SDF file
+  std::string light; ///< preset's name
+  std::uint64_t seed = 1;
+};
+
+/** A robot for a mission, simulated or real. What only a simulator knows is for evaluation. */
+class MissionRobot
+{
+public:
+  virtual ~MissionRobot() = default;
+
+  virtual Devices devices() = 0;
+  virtual const RobotFiles &files() const = 0;
+
+  /** Whether time goes on while nobody asks for it. */
+  virtual bool runsByItself() const = 0;
+
+  virtual std::optional<SimulatedWorld> world() const = 0;
+  virtual std::optional<Truth> truth() const = 0;
+
+  /** Of the world; null where the truth is not known. */
+  virtual const FreeSpace *freeSpace() = 0;
+};
+
+/** Which robot a mission is for. */
+struct RobotArguments
+{
+  SimulationArguments simulation; ///< its rig may be a real one
+  double clockRate = 0.0;         ///< 0: as the rig says
+  std::string truth;              ///< URL of what pioneer-sim knows; empty: nothing is known
+};
+
+void addRobotArguments(CLI::App &command, RobotArguments &arguments);
+
+/**
+ * Connects to the devices that the rig names, or simulates where it names none.
+ * @param start of a simulated robot when no --start was given
+ * @throw ConfigError when a file or an option is wrong, DeviceError when a device does not answer
+ */
+std::unique_ptr<MissionRobot> makeMissionRobot(const RobotArguments &arguments,
+                                               std::optional<Pose2> start = std::nullopt);
+
+} // namespace homeward

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "real_robot.h"
+
+#include <homeward/core/error.h>
+#include <homeward/drivers/camera_sources.h>
+#include <homeward/drivers/recorded_camera.h>
+
+#include <charconv>
+
+namespace homeward
+{
+namespace
+{
+
+int deviceNumber(const std::string &text)
+{
+  int number = -1;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || number < 0) {
+    throw ConfigError("'capture.source' is '" + text + "'; the N of /dev/videoN is expected");
+  }
+  return number;
+}
+
+std::unique_ptr<ImageSource> source(const CaptureLink &link, const std::filesystem::path &rigFile)
+{
+  const std::string file = (rigFile.parent_path() / link.source).lexically_normal().string();
+  switch (link.kind) {
+  case CaptureLink::Kind::V4l2:
+    return openV4l2Camera(deviceNumber(link.source));
+  case CaptureLink::Kind::Files:
+    return std::make_unique<FolderCamera>(file, 0);
+  case CaptureLink::Kind::Film:
+    return std::make_unique<VideoCamera>(file);
+  case CaptureLink::Kind::Stream:
+    break;
+  }
+  return openStreamCamera(link.source);
+}
+
+} // namespace
+
+std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files)
+{
+  const DeviceLinks &links = files.rig.devices.value();
+  PioneerOptions options;
+  options.limits = files.rig.limits;
+  options.sonars = files.robot.sonars;
+  options.clockRate = links.clockRate;
+  if (links.laser.kind == LaserLink::Kind::OnBase) {
+    options.laser = PioneerLaser::Plain;
+  }
+  return std::make_unique<PioneerBase>(openStream(links.base.address, links.base.baud), options);
+}
+
+std::unique_ptr<SickLaser> connectLaser(const RobotFiles &files)
+{
+  const DeviceLinks &links = files.rig.devices.value();
+  if (links.laser.kind == LaserLink::Kind::OnBase) {
+    return nullptr;
+  }
+  SickOptions options;
+  options.baud = links.laser.baud;
+  options.resolution = links.laser.resolution;
+  options.clockRate = links.clockRate;
+  return std::make_unique<SickLaser>(openStream(links.laser.address, 9600), options);
+}
+
+std::unique_ptr<LiveCamera> connectCamera(const RobotFiles &files)
+{
+  const DeviceLinks &links = files.rig.devices.value();
+  const CaptureLink &link = links.capture;
+  const bool recorded =
+      link.kind == CaptureLink::Kind::Files || link.kind == CaptureLink::Kind::Film;
+  CaptureOptions options;
+  options.latency = fromSeconds(link.latency * links.clockRate);
+  options.period = recorded ? fromSeconds(link.period) : Duration{};
+  options.start = fromSeconds(toSeconds(options.start) * links.clockRate);
+  options.clockRate = links.clockRate;
+  return std::make_unique<LiveCamera>(source(link, files.rigFile), options);
+}
+
+RealRobot::RealRobot(const RobotFiles &files)
+    : m_clock(files.rig.devices.value().clockRate), m_camera(connectCamera(files)),
+      m_laser(connectLaser(files)), m_base(connectBase(files))
+{
+  const Time deadline = m_clock.now() + std::chrono::seconds(5);
+  while (!laser().scan()) {
+    if (m_clock.now() > deadline) {
+      throw DeviceError("the laser answers but measures nothing");
+    }
+    m_clock.sleepUntil(m_clock.now() + std::chrono::milliseconds(20));
+  }
+}
+
+LaserScanner &RealRobot::laser()
+{
+  return m_laser ? static_cast<LaserScanner &>(*m_laser) : m_base->laser();
+}
+
+Devices RealRobot::devices()
+{
+  return {m_clock, *m_base, laser(), *m_camera};
+}
+
+} // namespace homeward

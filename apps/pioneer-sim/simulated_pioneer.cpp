@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulated_pioneer.h"
+
+#include <homeward/core/error.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace homeward
+{
+namespace
+{
+
+using WallClock = std::chrono::steady_clock;
+
+/** Robot time made up at once when the machine was busy; what is more is lost. */
+constexpr double kMostCatchUp = 0.2; // s
+
+} // namespace
+
+SimulatedPioneer::SimulatedPioneer(Simulator &simulator, const PioneerSimOptions &options,
+                                   const Faults &faults)
+    : m_simulator(simulator), m_faults(faults), m_speed(options.speed), m_tcpServer(options.arcos),
+      m_ptyServer(options.arcos), m_tcp(options.host, options.port)
+{
+  remember();
+}
+
+SimulatedPioneer::Snapshot SimulatedPioneer::snapshot() const
+{
+  const std::lock_guard lock(m_mutex);
+  return m_snapshot;
+}
+
+void SimulatedPioneer::remember()
+{
+  Snapshot now{m_simulator.clock().now(), m_simulator.truth(), m_simulator.base().state().velocity};
+  const std::lock_guard lock(m_mutex);
+  m_snapshot = now;
+}
+
+void SimulatedPioneer::run(const std::atomic<bool> &stop)
+{
+  const double step = toSeconds(Simulator::kStep);
+  WallClock::time_point begin = WallClock::now();
+  double done = 0.0; // s of robot time since `begin`
+  while (!stop) {
+    const std::chrono::duration<double> passed = WallClock::now() - begin;
+    const double behind = passed.count() * m_speed - done;
+    if (behind > kMostCatchUp) {
+      begin = WallClock::now();
+      done = 0.0;
+    }
+    if (behind >= step) {
+      hear();
+      this->step();
+      done += step;
+      continue;
+    }
+    waitForBytes(std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double>((step - behind) / m_speed)));
+    hear();
+  }
+}
+
+void SimulatedPioneer::waitForBytes(std::chrono::nanoseconds atMost)
+{
+  std::vector<pollfd> waiting;
+  m_tcp.watch(waiting);
+  m_pty.watch(waiting);
+  m_lmsPty.watch(waiting);
+  const timespec timeout{
+      0, static_cast<long>(std::clamp<std::int64_t>(atMost.count(), 0, 999'999'999))};
+  ::ppoll(waiting.data(), waiting.size(), &timeout, nullptr);
+}
+
+void SimulatedPioneer::hear()
+{
+  const Time now = m_simulator.clock().now();
+  const Arrival tcp = m_tcp.receive();
+  m_tcpServer.receive(tcp.bytes, now);
+  if (tcp.left) {
+    m_tcpServer.hangUp();
+  }
+  m_ptyServer.receive(m_pty.receive().bytes, now);
+  m_lms.receive(m_lmsPty.receive().bytes, m_lmsPty.baud());
+  carryAway(m_tcpServer);
+  carryAway(m_ptyServer);
+  speak(m_tcpServer, m_tcp);
+  speak(m_ptyServer, m_pty);
+}
+
+void SimulatedPioneer::carryAway(ArcosServer &server)
+{
+  if (const std::optional<Pose2> wMr = server.takeKidnap()) {
+    try {
+      m_simulator.kidnap(*wMr);
+    }
+    catch (const ConfigError &error) {
+      std::fprintf(stderr, "pioneer-sim: %s\n", error.what());
+    }
+  }
+}
+
+void SimulatedPioneer::step()
+{
+  m_simulator.clock().sleepUntil(m_simulator.clock().now() + Simulator::kStep);
+  const Time now = m_simulator.clock().now();
+  for (ArcosServer *server : {&m_tcpServer, &m_ptyServer}) {
+    server->step(now, m_simulator.base(), m_simulator.laser());
+  }
+  speak(m_tcpServer, m_tcp);
+  speak(m_ptyServer, m_pty);
+  const Bytes telegrams = m_lms.step(Simulator::kStep, m_simulator.laser());
+  if (!telegrams.empty() && !m_faults.silentLaser) {
+    m_lmsPty.send(telegrams);
+  }
+  remember();
+}
+
+void SimulatedPioneer::speak(ArcosServer &server, ClientLine &line)
+{
+  constexpr std::size_t kIdAt = 3;
+  for (const Bytes &packet : server.takeOutput()) {
+    const bool laser = packet[kIdAt] == 0x60 || packet[kIdAt] == 0x61;
+    if (m_faults.silentBase || (laser && m_faults.silentLaser)) {
+      continue;
+    }
+    const std::size_t size = m_faults.halfPackets ? packet.size() / 2 : packet.size();
+    line.send(std::span(packet).first(size));
+  }
+}
+
+} // namespace homeward

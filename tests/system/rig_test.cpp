@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program.h"
+#include "rig_check.h"
+#include "sim_process.h"
+#include "test_paths.h"
+
+#include <homeward/core/angle.h>
+
+#include <gmock/gmock.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace homeward
+{
+namespace
+{
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/** A pioneer-sim in the contract room, three times as fast as we, and the rig that names it. */
+class RigTest : public testing::Test
+{
+protected:
+  static std::vector<std::string> arguments()
+  {
+    const auto room =
+        std::filesystem::path(HOMEWARD_DATA_DIR).parent_path() / "tests/contract/contract_room.sdf";
+    return {"--world", room.string(), "--start", "4,5,0", "--threads", "1", "--speed", "3"};
+  }
+
+  std::string rigFile(const std::string &camera = "") const
+  {
+    const std::string file = folder / "rig.yaml";
+    std::ofstream(file) << "robot: " << (dataDir() / "robots/pioneer3at.urdf").string() << "\n"
+                        << "camera: "
+                        << (camera.empty() ? (dataDir() / "cameras/sim_nominal.yaml").string()
+                                           : camera)
+                        << "\nbase: {address: '" << sim.arcosTcp() << "'}\n"
+                        << "laser: {kind: lms200, address: " << sim.lmsPty() << "}\n"
+                        << "capture: {kind: stream, period_s: 0.5, source: '" << sim.stream()
+                        << "'}\n"
+                        << "clock_rate: 3\n";
+    return file;
+  }
+
+  std::string truthUrl() const { return "http://127.0.0.1:" + std::to_string(sim.httpPort()); }
+
+  Folder folder;
+  SimProcess sim{arguments()};
+};
+
+TEST_F(RigTest, CheckSaysHowEveryDeviceIsAndMovesNothing)
+{
+  const ProgramRun run = runProgram("rig check " + rigFile());
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output,
+              AllOf(HasSubstr("base   ok"), HasSubstr("laser  ok"), HasSubstr("camera ok"),
+                    HasSubstr("640 x 480"), HasSubstr("pioneer-sim"), Not(HasSubstr("motion"))));
+}
+
+TEST_F(RigTest, CheckMovesOnlyWhenTheOperatorSaysYes)
+{
+  const ProgramRun no = runProgram("rig check --move " + rigFile(), "echo no | ");
+  EXPECT_EQ(no.status, 1) << no.output;
+  EXPECT_THAT(no.output, HasSubstr("has not moved"));
+  const ProgramRun yes = runProgram("rig check --move " + rigFile(), "echo yes | ");
+  EXPECT_EQ(yes.status, 0) << yes.output;
+  EXPECT_THAT(yes.output, AllOf(HasSubstr("turn: laser"), HasSubstr("turn: camera"),
+                                HasSubstr("advance: laser"), Not(HasSubstr("BAD"))));
+}
+
+TEST_F(RigTest, CheckFindsACameraMountedTheOtherWayRound)
+{
+  std::string camera = fileText((dataDir() / "cameras/sim_nominal.yaml").string());
+  const std::string right = "left_is_clockwise: true";
+  camera.replace(camera.find(right), right.size(), "left_is_clockwise: false");
+  std::ofstream(folder / "camera.yaml") << camera;
+  const ProgramRun run =
+      runProgram("rig check --move " + rigFile(folder / "camera.yaml"), "echo yes | ");
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("left and right exchanged"));
+}
+
+TEST_F(RigTest, ExploresOverSockets)
+{
+  const ProgramRun run =
+      runProgram("explore --rig " + rigFile() + " --truth " + truthUrl() + " --max-time 40 --map " +
+                 folder / "room.hwm" + " --json " + folder / "room.json");
+  EXPECT_EQ(run.status, 1) << run.output; // stopped by --max-time
+  const auto json = nlohmann::json::parse(fileText(folder / "room.json"));
+  EXPECT_EQ(json["outcome"], "stopped");
+  EXPECT_GE(json["nodes"], 2);
+  EXPECT_EQ(json["collisions"], 0);
+  EXPECT_EQ(json["truth"]["false_edges"], 0);
+  const ProgramRun drive =
+      runProgram("navigate --rig " + rigFile() + " --truth " + truthUrl() + " --to 0 --map " +
+                 folder / "room.hwm" + " --json " + folder / "drive.json");
+  EXPECT_EQ(drive.status, 0) << drive.output;
+  const auto driven = nlohmann::json::parse(fileText(folder / "drive.json"));
+  // A bare room with one post: places are hard to tell apart.
+  EXPECT_LE(driven["truth"]["error_m"].get<double>(), 1.0);
+}
+
+TEST_F(RigTest, ARobotThatDiesEndsTheMissionWithItsReasonAndAMap)
+{
+  const std::string map = folder / "room.hwm";
+  std::thread killer([this, &map] {
+    for (int i = 0; i < 600 && !std::filesystem::exists(map); ++i) {
+      ::usleep(100'000);
+    }
+    ::sleep(2);
+    sim.end(SIGKILL);
+  });
+  const ProgramRun run = runProgram("explore --rig " + rigFile() + " --map " + map);
+  killer.join();
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_THAT(run.output, testing::ContainsRegex("homeward: [^\n]*\n$"));
+}
+
+TEST_F(RigTest, WhatCannotBeIsRefusedInOneLine)
+{
+  const std::string explore = "explore --map " + folder / "x.hwm" + " ";
+  const auto refusal = [](const std::string &arguments) {
+    const ProgramRun run = runProgram(arguments);
+    EXPECT_GT(run.status, 0) << run.output;
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+    return run.output;
+  };
+  EXPECT_THAT(refusal(explore + "--rig " + rigFile() + " --world lab.sdf"), HasSubstr("--world"));
+  EXPECT_THAT(refusal(explore + "--clock-rate 2"), HasSubstr("real devices"));
+  EXPECT_THAT(refusal(explore + "--rig " + rigFile() + " --truth http://127.0.0.1:1"),
+              HasSubstr("127.0.0.1:1"));
+  EXPECT_THAT(refusal("rig check nowhere.yaml"), HasSubstr("nowhere.yaml"));
+  EXPECT_THAT(refusal("rig check " + (dataDir() / "rigs/sim.yaml").string()),
+              HasSubstr("names no devices"));
+  const std::string rig = rigFile();
+  sim.end(SIGTERM);
+  EXPECT_THAT(refusal("rig check " + rig), HasSubstr("camera.mjpg"));
+}
+
+/** Ranges of a room with a step on the left, from a laser turned left by so many degrees. */
+Scan turnedBy(int turn)
+{
+  Scan scan;
+  scan.angleMin = -kPi / 2.0;
+  scan.angleStep = radians(1.0);
+  scan.rangeMax = 30.0;
+  for (int i = 0; i <= 180; ++i) {
+    const int bearing = i - 90 + turn;
+    scan.ranges.push_back(
+        bearing > 20 && bearing < 50 ? 2.0F : 5.0F + 0.01F * static_cast<float>(bearing));
+  }
+  return scan;
+}
+
+TEST(TurnBetween, FindsTheTurnOfALaser)
+{
+  for (const int turn : {-40, -7, 0, 15, 33}) {
+    EXPECT_NEAR(turnBetween(turnedBy(0), turnedBy(turn)), radians(turn), 1e-9) << turn;
+  }
+}
+
+MotionSeen asItShould()
+{
+  return {radians(31.0), radians(30.0), radians(31.5), 0.15, 0.16};
+}
+
+TEST(JudgeMotion, FindsWhatIsMountedTheWrongWayRound)
+{
+  const auto complaints = [](const MotionSeen &seen) {
+    std::string all;
+    for (const Finding &finding : judgeMotion(seen)) {
+      all += finding.good ? "" : finding.text + "\n";
+    }
+    return all;
+  };
+  EXPECT_EQ(complaints(asItShould()), "");
+  MotionSeen seen = asItShould();
+  seen.laserTurn *= -1.0;
+  EXPECT_THAT(complaints(seen), HasSubstr("upside down"));
+  seen = asItShould();
+  seen.cameraTurn *= -1.0;
+  EXPECT_THAT(complaints(seen), HasSubstr("left_is_clockwise"));
+  seen = asItShould();
+  seen.odometryAdvance = 0.3;
+  EXPECT_THAT(complaints(seen), HasSubstr("scale"));
+  seen = asItShould();
+  seen.laserAdvance *= -1.0;
+  EXPECT_THAT(complaints(seen), HasSubstr("wrong way round"));
+  seen = asItShould();
+  seen.odometryTurn = 0.0;
+  EXPECT_THAT(complaints(seen), HasSubstr("odometry says 0"));
+  seen = asItShould();
+  seen.cameraTurn = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaints(seen), "");
+}
+
+} // namespace
+} // namespace homeward
