@@ -98,6 +98,15 @@ void BM_VisualCompass(benchmark::State &state)
 }
 BENCHMARK(BM_VisualCompass)->Unit(benchmark::kMillisecond);
 
+void BM_EdgeCompass(benchmark::State &state)
+{
+  cv::setNumThreads(1);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(visualCompass(views().current, views().snapshot, kEdgeCompass));
+  }
+}
+BENCHMARK(BM_EdgeCompass)->Unit(benchmark::kMillisecond);
+
 /** The argument counts OpenCV's threads. */
 void BM_ScaleSpaceHoming(benchmark::State &state)
 {

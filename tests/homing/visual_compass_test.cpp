@@ -87,5 +87,34 @@ TEST_F(VisualCompass, refusesPanoramasOfDifferentGeometry)
   EXPECT_THROW(visualCompass(m_room.view({}), m_room.view({}, {}, {.width = 360})), LogicError);
 }
 
+TEST_F(VisualCompass, onEdgesReadsTurnsInAnotherLight)
+{
+  const RoomLight evening{0.35, 12.0, 0.6, 1.0};
+  const Panorama home = m_room.view({0.2, 0.1, 0.7});
+  for (const double turn : {0.0, 3.7, -41.3, 120.9, 179.6}) {
+    const Panorama current = m_room.view({0.2, 0.1, 0.7 + radians(turn)}, evening);
+    const std::optional<CompassReading> reading = visualCompass(current, home, kEdgeCompass);
+    ASSERT_TRUE(reading);
+    EXPECT_NEAR(degrees(wrapAngle(reading->headingChange - radians(turn))), 0.0, 0.2) << turn;
+    EXPECT_GT(reading->confidence, 0.5);
+  }
+}
+
+TEST_F(VisualCompass, onEdgesSaysNothingOfUniformPictures)
+{
+  const Panorama home = m_room.view({});
+  const Panorama gray{cv::Mat(home.image.size(), CV_8UC1, cv::Scalar(90)), home.geometry};
+  EXPECT_FALSE(visualCompass(gray, home, kEdgeCompass));
+  EXPECT_FALSE(visualCompass(home, gray, kEdgeCompass));
+  EXPECT_FALSE(visualCompass(gray, gray, kEdgeCompass));
+}
+
+TEST_F(VisualCompass, refusesMoreBandsThanRows)
+{
+  const Panorama home = m_room.view({});
+  EXPECT_THROW(visualCompass(home, home, {1000, false}), LogicError);
+  EXPECT_THROW(visualCompass(home, home, {-1, false}), LogicError);
+}
+
 } // namespace
 } // namespace homeward

@@ -114,12 +114,12 @@ HomingAnswers runScaleSpace(const HomingTask &task, int threads)
       });
 }
 
-HomingAnswers runCompass(const HomingTask &task, int threads)
+HomingAnswers runCompass(const CompassOptions &options, const HomingTask &task, int threads)
 {
   HomingAnswers result = runMethod(
       task, threads, [](const Panorama &panorama) { return panorama; },
-      [](const Panorama &view, const Panorama &home) -> std::optional<HomeVector> {
-        const std::optional<CompassReading> reading = visualCompass(view, home);
+      [&](const Panorama &view, const Panorama &home) -> std::optional<HomeVector> {
+        const std::optional<CompassReading> reading = visualCompass(view, home, options);
         return reading ? std::optional(
                              HomeVector{0.0, 0.0, reading->headingChange, reading->confidence})
                        : std::nullopt;
@@ -133,7 +133,7 @@ HomingAnswers runCompass(const HomingTask &task, int threads)
 const std::vector<std::string> &homingMethods()
 {
   static const std::vector<std::string> names{"minwarping-288", "minwarping-144", "minwarping-72",
-                                              "hiss", "compass"};
+                                              "hiss",           "compass",        "edge-compass"};
   return names;
 }
 
@@ -142,14 +142,17 @@ HomingAnswers runHoming(const std::string &method, const HomingTask &task, int t
   const auto known = std::find(homingMethods().begin(), homingMethods().end(), method);
   if (known == homingMethods().end()) {
     throw ConfigError("homing method '" + method + "' is unknown, use minwarping-288, " +
-                      "minwarping-144, minwarping-72, hiss or compass");
+                      "minwarping-144, minwarping-72, hiss, compass or edge-compass");
   }
   HomingAnswers result;
   if (method == "hiss") {
     result = runScaleSpace(task, threads);
   }
   else if (method == "compass") {
-    result = runCompass(task, threads);
+    result = runCompass({}, task, threads);
+  }
+  else if (method == "edge-compass") {
+    result = runCompass(kEdgeCompass, task, threads);
   }
   else {
     result = runMinWarping(std::stoi(method.substr(method.find('-') + 1)), task, threads);

@@ -20,7 +20,7 @@ struct HomingAnswers
   double milliseconds = 0.0; ///< of processor time to prepare a view and compare it, mean
 };
 
-/** minwarping-288, minwarping-144, minwarping-72 (columns), hiss, compass. */
+/** minwarping-288, minwarping-144, minwarping-72 (columns), hiss, compass, edge-compass. */
 const std::vector<std::string> &homingMethods();
 
 /**
