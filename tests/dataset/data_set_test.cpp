@@ -220,5 +220,45 @@ TEST_F(BadDataSet, oneLayoutFileIsNeededAndItsMistakesAreNamed)
   EXPECT_THAT(complaint(), HasSubstr("has neither"));
 }
 
+/** A mirror full of stripes in a black mount; the camera has shifted by so many pixels. */
+cv::Mat shiftedPicture(const MirrorCamera &camera, const Eigen::Vector2d &shift)
+{
+  cv::Mat1b picture(camera.model.height(), camera.model.width(), uchar{0});
+  for (int v = 0; v < picture.rows; ++v) {
+    for (int u = 0; u < picture.cols; ++u) {
+      const Eigen::Vector2d away = Eigen::Vector2d(u, v) - camera.rim->centre - shift;
+      if (away.norm() < camera.rim->radius) {
+        picture(v, u) =
+            cv::saturate_cast<uchar>(140.0 + 60.0 * std::sin(away.norm() / 4.0) *
+                                                 std::cos(5.0 * std::atan2(away.y(), away.x())));
+      }
+    }
+  }
+  return picture;
+}
+
+TEST(DataSet, FollowsACameraThatHasShiftedSinceItsFileWasWritten)
+{
+  MirrorCamera camera{UnifiedCamera({0.95, 108, 108, 319.5, 239.5, 0, 0, 0, 0}, 640, 480),
+                      {30.0, 220.0},
+                      {},
+                      MirrorRim{{319.5, 239.5}, 220.0}};
+  const Folder folder;
+  DataSet straight(camera);
+  straight.add({"a.png", {}, "day"}, shiftedPicture(camera, {0.0, 0.0}));
+  straight.write(folder / "straight");
+  DataSet shifted(camera);
+  shifted.add({"a.png", {}, "day"}, shiftedPicture(camera, {3.0, -2.0}));
+  shifted.write(folder / "shifted");
+  const cv::Mat before = DataSet::read(folder / "straight").panorama(0).image;
+  const auto apart = [&](const cv::Mat &picture) {
+    return cv::norm(before, picture, cv::NORM_L1) / static_cast<double>(before.total());
+  };
+  EXPECT_GT(apart(shifted.panorama(0).image), 10.0); // gray levels
+  EXPECT_LT(apart(DataSet::read(folder / "shifted").panorama(0).image), 2.0);
+  shifted.followRim();
+  EXPECT_LT(apart(shifted.panorama(0).image), 2.0);
+}
+
 } // namespace
 } // namespace homeward

@@ -19,7 +19,7 @@ namespace
 constexpr int kDirections = 720;
 constexpr double kStep = 0.5;    ///< pixels between radii
 constexpr int kReach = 40;       ///< steps on both sides of the rim
-constexpr int kHalfStep = 3;     ///< steps between the two radii that are compared, halved
+constexpr int kHalfStep = 3;     ///< half the steps between the two radii that are compared
 constexpr float kMostFall = 40;  ///< gray levels; a lamp at the rim must not decide alone
 constexpr float kLeastFall = 1;  ///< gray levels, mean all round
 constexpr float kDistinct = 1.5; ///< times the fall at the best circle well aside
