@@ -33,7 +33,8 @@ endfunction()
 # Compiles source files of this folder as C++17, for ViSP's sake.
 function(homeward_visp_sources)
   if(ARGN)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -std=c++17)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -std=c++17
+                                                   SKIP_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()
 
@@ -47,6 +48,7 @@ function(homeward_test module)
   add_executable(${target} ${sources})
   target_link_libraries(${target} PRIVATE homeward_warnings homeward_test_support ${ARGN}
                                           GTest::gmock GTest::gtest_main)
+  target_precompile_headers(${target} REUSE_FROM test_precompiled)
   gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS unit TIMEOUT 120)
 endfunction()

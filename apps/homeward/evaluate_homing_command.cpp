@@ -9,6 +9,7 @@
 #include <homeward/evaluation/rendered_homing.h>
 #include <homeward/viewer/home_vector_picture.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

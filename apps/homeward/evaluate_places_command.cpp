@@ -8,6 +8,7 @@
 #include <homeward/evaluation/place_trial.h>
 #include <homeward/viewer/bar_chart.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

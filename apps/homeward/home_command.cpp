@@ -6,6 +6,7 @@
 #include <homeward/dataset/data_set.h>
 #include <homeward/homing/homing_method.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

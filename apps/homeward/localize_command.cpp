@@ -8,6 +8,7 @@
 #include <homeward/store/map_file.h>
 #include <homeward/topology/planner.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

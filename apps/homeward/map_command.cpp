@@ -10,6 +10,7 @@
 #include <homeward/store/map_file.h>
 #include <homeward/viewer/map_picture.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 

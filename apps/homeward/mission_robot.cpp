@@ -6,6 +6,8 @@
 
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
+
 namespace homeward
 {
 namespace

@@ -10,6 +10,7 @@
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/mission/navigator.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

@@ -5,6 +5,7 @@
 
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>

@@ -8,6 +8,7 @@
 #include <homeward/laser/open_directions.h>
 #include <homeward/viewer/scan_picture.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

@@ -5,6 +5,8 @@
 
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace homeward

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli_app.h"
 #include "robot_files.h"
 
 #include <homeward/pilot/motion.h>
 #include <homeward/sim/simulator.h>
-
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <optional>

@@ -6,6 +6,7 @@
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 

@@ -10,6 +10,7 @@
 #include <homeward/core/error.h>
 #include <homeward/sim/true_optics.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 

@@ -15,6 +15,7 @@
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

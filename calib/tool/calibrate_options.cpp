@@ -3,6 +3,8 @@
 
 #include <homeward/camera/camera_models.h>
 
+#include <CLI/CLI.hpp>
+
 namespace homeward
 {
 

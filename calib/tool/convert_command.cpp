@@ -7,6 +7,7 @@
 #include <homeward/camera/camera_models.h>
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>

@@ -3,6 +3,7 @@
 
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 

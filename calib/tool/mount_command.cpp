@@ -7,6 +7,7 @@
 #include <homeward/core/angle.h>
 #include <homeward/dataset/data_set.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>

@@ -3,6 +3,8 @@
 
 #include <homeward/core/angle.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli_app.h"
+
 #include <homeward/calib/mirror_circles.h>
 #include <homeward/camera/camera_file.h>
 #include <homeward/camera/panorama.h>
-
-#include <CLI/CLI.hpp>
 
 namespace homeward
 {

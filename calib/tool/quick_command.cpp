@@ -9,6 +9,7 @@
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 

@@ -4,6 +4,7 @@
 #include "target_options.h"
 #include "target_print.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>

@@ -3,6 +3,8 @@
 
 #include <homeward/core/error.h>
 
+#include <CLI/CLI.hpp>
+
 namespace homeward
 {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <homeward/calib/target.h>
+#include "cli_app.h"
 
-#include <CLI/CLI.hpp>
+#include <homeward/calib/target.h>
 
 #include <string>
 

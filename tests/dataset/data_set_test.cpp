@@ -127,7 +127,7 @@ struct BadDataSet : testing::Test
       }
     }
     catch (const ConfigError &error) {
-      const std::string text = error.what();
+      std::string text = error.what();
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
       return text;
     }
