@@ -24,6 +24,7 @@ void addEvaluateCommand(CLI::App &app, int &status);
 
 /** Each adds its subcommand of `evaluate`. */
 void addEvaluateHomingCommand(CLI::App &evaluate, int &status);
+void addEvaluateArrivalCommand(CLI::App &evaluate, int &status);
 void addEvaluatePlacesCommand(CLI::App &evaluate, int &status);
 void addDataSetCommand(CLI::App &evaluate, int &status);
 

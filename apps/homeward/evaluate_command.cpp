@@ -11,6 +11,7 @@ void addEvaluateCommand(CLI::App &app, int &status)
   CLI::App *evaluate = app.add_subcommand("evaluate", "Measure against the truth");
   evaluate->require_subcommand(1);
   addEvaluateHomingCommand(*evaluate, status);
+  addEvaluateArrivalCommand(*evaluate, status);
   addEvaluatePlacesCommand(*evaluate, status);
   addDataSetCommand(*evaluate, status);
 }

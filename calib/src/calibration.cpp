@@ -261,6 +261,14 @@ Calibration calibrated(const BoardViews &given, const CameraModel *start,
 
 } // namespace
 
+Eigen::MatrixXd Calibration::correlations() const
+{
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
+  const Eigen::VectorXd scale =
+      (sigma.array() > 0.0).select(sigma.cwiseMax(1e-300).cwiseInverse(), 0.0);
+  return scale.asDiagonal() * covariance * scale.asDiagonal();
+}
+
 Calibration calibrate(const BoardViews &views, const CalibrationOptions &options)
 {
   return calibrated(views, nullptr, options);

@@ -5,6 +5,7 @@
 #include "live_views.h"
 #include "pictures.h"
 #include "report.h"
+#include "stop_signal.h"
 #include "target_print.h"
 
 #include <homeward/calib/board_detector.h>
@@ -73,9 +74,9 @@ FoundBoards findIn(const Pictures &pictures, const Target &target, int threads)
 FoundBoards boardsOf(const CalibrateOptions &options, const Target &target)
 {
   if (!options.live.empty()) {
-    const LiveViews live = watchCamera(options.live, target, options.most);
-    FoundBoards found = findIn(live.pictures, target, options.threads);
-    return found;
+    const auto camera = openLiveCamera(options.live);
+    return findIn(watch(*camera, options.live, target, {options.most, options.keep}, stopSignal()),
+                  target, options.threads);
   }
   const Pictures pictures =
       options.film.empty() ? readPictures(options.pictures) : readFilm(options.film, options.most);
@@ -105,6 +106,23 @@ std::optional<MirrorCamera> mirrorCameraOf(const Calibration &calibration, const
                       rimOf(*found.mirror)};
 }
 
+/** Of every two estimated parameters, by their names. */
+nlohmann::json correlationsOf(const Calibration &calibration)
+{
+  const std::vector<std::string> names = calibration.model->parameterNames();
+  const Eigen::MatrixXd correlations = calibration.correlations();
+  nlohmann::json json = nlohmann::json::object();
+  for (Eigen::Index i = 0; i < correlations.rows(); ++i) {
+    for (Eigen::Index k = 0; k < correlations.cols(); ++k) {
+      if (i != k && correlations(i, i) > 0.0 && correlations(k, k) > 0.0) {
+        json[names[static_cast<std::size_t>(i)]][names[static_cast<std::size_t>(k)]] =
+            correlations(i, k);
+      }
+    }
+  }
+  return json;
+}
+
 nlohmann::json summaryOf(const FoundBoards &found, const Calibration &calibration)
 {
   nlohmann::json json = jsonHeader("calibrate");
@@ -117,6 +135,7 @@ nlohmann::json summaryOf(const FoundBoards &found, const Calibration &calibratio
     json["parameters"][names[i]] = {{"value", values(k)},
                                     {"sigma", std::sqrt(calibration.covariance(k, k))}};
   }
+  json["correlations"] = correlationsOf(calibration);
   json["rms_px"] = calibration.rms;
   json["robust_rms_px"] = calibration.robustRms;
   json["heldout_rms_px"] =

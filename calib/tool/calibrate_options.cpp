@@ -12,7 +12,9 @@ void addCalibrateOptions(CLI::App &app, CalibrateOptions &options)
 {
   app.add_option("pictures", options.pictures, "Pictures, folders or patterns such as 'a*.png'");
   app.add_option("--film", options.film, "A film instead of pictures");
-  app.add_option("--live", options.live, "A camera to watch, such as /dev/video0; says what to do");
+  app.add_option("--live", options.live,
+                 "A camera to watch, /dev/video0 or http://...; says what to do with the board");
+  app.add_option("--keep", options.keep, "Folder for the views of a live camera");
   app.add_option("--most", options.most, "Frames taken of a film, views of a live camera")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();

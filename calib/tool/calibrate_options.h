@@ -16,7 +16,8 @@ struct CalibrateOptions
   std::vector<std::string> pictures;
   std::string film;
   std::string live;
-  int most = 40; ///< frames of a film, views of a live camera
+  std::string keep; ///< folder for the views of a live camera
+  int most = 40;    ///< frames of a film, views of a live camera
   TargetOptions target;
   MountOptions mount;
   std::string model = "unified";

@@ -78,6 +78,34 @@ std::string parameterTable(const Calibration &calibration)
   return html + "</table>\n";
 }
 
+/** A cell the redder the more a pair of parameters can stand in for each other. */
+std::string correlationCell(double correlation)
+{
+  return "<td style=\"background:rgba(213,94,0," + fixed(0.6 * correlation * correlation, 2) +
+         ")\">" + fixed(correlation, 2) + "</td>";
+}
+
+std::string correlationTable(const Calibration &calibration)
+{
+  const std::vector<std::string> names = calibration.model->parameterNames();
+  const Eigen::MatrixXd correlations = calibration.correlations();
+  std::string head = "<table><tr><th></th>";
+  std::string rows;
+  for (Eigen::Index i = 0; i < correlations.rows(); ++i) {
+    if (correlations(i, i) == 0.0) {
+      continue; // held
+    }
+    const std::string name = escaped(names[static_cast<std::size_t>(i)]);
+    head += "<th>" + name + "</th>";
+    rows += "<tr><td>" + name + "</td>";
+    for (Eigen::Index k = 0; k <= i; ++k) {
+      rows += correlations(k, k) == 0.0 ? "" : correlationCell(correlations(i, k));
+    }
+    rows += "</tr>\n";
+  }
+  return head + "</tr>\n" + rows + "</table>\n";
+}
+
 std::string numbersTable(const ReportContent &content)
 {
   const Calibration &calibration = content.calibration;
@@ -142,6 +170,9 @@ std::string reportHtml(const ReportContent &content)
                  "Where no points were seen, the camera is extrapolated.");
   html +=
       figure("Residual histogram", histogramChart(content), "Points a bin; outliers are left out.");
+  html += figure("Correlations", correlationTable(content.calibration),
+                 "Of a pair near 1 or -1 only a combination is known well, such as the "
+                 "ratio of the focal lengths.");
   html += "</div>\n";
   if (!content.panorama.empty()) {
     html += figure("Unwrapped",

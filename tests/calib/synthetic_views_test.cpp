@@ -172,6 +172,20 @@ TEST(SyntheticViews, EveryModelFindsItself)
   }
 }
 
+TEST(SyntheticViews, TheFocalLengthsAreKnownTogether)
+{
+  const Calibration found = calibrate(takeViews(mirror(0.95), closePlan(15), 4));
+  const Eigen::MatrixXd correlations = found.correlations();
+  const Eigen::MatrixXd &covariance = found.covariance;
+  EXPECT_GT(correlations(1, 2), 0.7); // fx, fy: how far the boards were trades against both
+  EXPECT_LT(std::abs(correlations(1, 3)), 0.5); // fx, cx
+  EXPECT_DOUBLE_EQ(correlations(0, 1),
+                   covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1)));
+  EXPECT_NEAR(correlations(4, 4), 1.0, 1e-12);
+  EXPECT_EQ(correlations(5, 5), 0.0); // k1 is held
+  EXPECT_LE(correlations.cwiseAbs().maxCoeff(), 1.0 + 1e-12);
+}
+
 TEST(SyntheticViews, SigmasAreWhatRepetitionShows)
 {
   const UnifiedModel truth = mirror(0.95);

@@ -150,6 +150,28 @@ TEST(Motion, TakesATightWayOnlyWhereItIsKnownToLeadOn)
   EXPECT_GT(reached(Motion::Room::Tight), 3.6);
 }
 
+TEST(Motion, CreepsPastWhatIsNear)
+{
+  Scene scene = makeRoom(6.0F, 4.0F);
+  // A door of 0.62 m: 6.5 cm on both sides of the body.
+  addBox(scene, {3.0F, 0.0F, 0.0F}, {3.2F, 1.69F, 2.0F});
+  addBox(scene, {3.0F, 2.31F, 0.0F}, {3.2F, 4.0F, 2.0F});
+  Driven robot(std::move(scene), {1.5, 2.0, 0.0});
+  double before = 0.0; // fastest where nothing is near
+  double within = 0.0; // fastest with the middle of the body between the posts
+  for (int i = 0; i < 400; ++i) {
+    robot.goAhead(1, 2.6, Motion::Room::Tight);
+    const double x = robot.truth().pose.x;
+    const double speed = robot.motion.sight().base.velocity.v;
+    before = x < 2.0 ? std::max(before, speed) : before;
+    within = x > 3.05 && x < 3.15 ? std::max(within, speed) : within;
+  }
+  EXPECT_GT(robot.truth().pose.x, 3.6);
+  EXPECT_GT(before, 0.2);
+  EXPECT_GT(within, 0.01);
+  EXPECT_LT(within, 0.06);
+}
+
 TEST(Motion, BacksOutAlongTheWayItCame)
 {
   Driven robot(makeRoom(6.0F, 4.0F), {1.0, 2.0, 0.0});

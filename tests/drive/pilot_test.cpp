@@ -81,6 +81,39 @@ protected:
   Pilot pilot;
 };
 
+/** What a pilot sees whose camera file is so many pixels off, from one place in the laboratory. */
+cv::Mat panoramaOfCameraOff(const Eigen::Vector2d &pixels, bool withRim)
+{
+  const auto scene = std::make_shared<const Scene>(loadScene(dataDir() / "worlds/lab.sdf"));
+  SimulatorOptions options;
+  options.start = Pose2{0.0, -2.5, 0.0};
+  Simulator simulator(scene, testRobot(), testCamera(), options);
+  MirrorCamera file = testCamera();
+  UnifiedCamera::Parameters parameters = file.model.parameters();
+  parameters.cx += pixels.x();
+  parameters.cy += pixels.y();
+  file.model = UnifiedCamera(parameters, 640, 480);
+  if (withRim) {
+    file.rim = MirrorRim{{parameters.cx, parameters.cy}, 236.0};
+  }
+  const std::atomic<bool> stop = false;
+  Pilot pilot({simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
+              testRobot(), file, {}, stop);
+  pilot.execute(Survey{});
+  return pilot.view().image;
+}
+
+TEST(PilotCamera, IsFollowedWhenItHasShiftedUnderItsMirror)
+{
+  const cv::Mat right = panoramaOfCameraOff({0.0, 0.0}, true);
+  const auto difference = [&](const cv::Mat &panorama) {
+    return cv::norm(right, panorama, cv::NORM_L1) / static_cast<double>(right.total());
+  };
+  const double followed = difference(panoramaOfCameraOff({4.0, -3.0}, true));
+  const double notFollowed = difference(panoramaOfCameraOff({4.0, -3.0}, false));
+  EXPECT_LT(followed, 0.25 * notFollowed);
+}
+
 TEST_F(PilotTest, DrivesOffAndFindsBackBySight)
 {
   const Pose2 home = simulator.truth().pose;

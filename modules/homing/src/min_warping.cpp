@@ -31,10 +31,26 @@ constexpr double kLeastProxy = 0.005;
 constexpr double kSureContrast = 0.70;
 constexpr double kBlindContrast = 0.965;
 
+/** WarpingMatch::oppositeRatio of a direction beyond doubt, ... */
+constexpr double kSureOpposite = 0.94;
+/** ... which says nothing nearer home than the first of these distance proxies, all beyond the
+ * second. */
+constexpr double kNearProxy = 0.3;
+constexpr double kFarProxy = 0.5;
+
 /** Falls from 1 at `good` to 0 at `bad`. */
 double ramp(double value, double good, double bad)
 {
   return std::clamp((bad - value) / (bad - good), 0.0, 1.0);
+}
+
+/** At home every direction fits; elsewhere one that fits no better than its opposite is a guess. */
+double confidenceOf(const WarpingMatch &match)
+{
+  const double near = ramp(match.home.distanceProxy, kNearProxy, kFarProxy);
+  const double direction = ramp(match.oppositeRatio, kSureOpposite, 1.0);
+  return std::sqrt(ramp(match.contrast, kSureContrast, kBlindContrast)) *
+         (near + (1.0 - near) * direction);
 }
 
 } // namespace
@@ -343,7 +359,7 @@ WarpingMatch MinWarping::describe(const ScalePlanes &forward, const Sums &sums,
   match.home.direction = wrapAngle((minimum.refinedAlpha - minimum.refinedPsi) * column + kPi);
   match.home.headingChange = wrapAngle(minimum.refinedPsi * column);
   match.home.distanceProxy = distanceProxy(forward, minimum);
-  match.home.confidence = ramp(match.contrast, kSureContrast, kBlindContrast);
+  match.home.confidence = confidenceOf(match);
   return match;
 }
 

@@ -47,7 +47,7 @@ public:
     }
     m_step.state.phase = Phase::Approaching;
     m_step.state.route = {*place};
-    m_step.command = HomeTo{*place, std::nullopt};
+    m_step.command = HomeTo{*place, std::nullopt, *place == m_step.state.goal};
   }
 
   void approached(const Homed &report)
@@ -130,7 +130,8 @@ private:
     NavigatorState &state = m_step.state;
     state.phase = Phase::Following;
     m_step.command =
-        HomeTo{state.route.front(), m_map.departureBearing(*state.here, state.route.front())};
+        HomeTo{state.route.front(), m_map.departureBearing(*state.here, state.route.front()),
+               state.route.size() == 1};
   }
 
   const NavigatorOptions &m_options;

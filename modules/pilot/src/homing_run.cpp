@@ -23,10 +23,11 @@ Eigen::Vector2d unit(double angle)
 
 HomingRun::HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look)
     : m_motion(motion), m_servo(servo), m_options(options), m_look(std::move(look)),
-      m_worker(fromSeconds(options.visionLatency))
+      m_worker(fromSeconds(options.visionLatency)), m_hereProxy(options.arrivedProxy),
+      m_nearProxy(options.nearProxy)
 {}
 
-HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
+HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
 {
   if (oDeparture) {
     m_motion.turnTo(*oDeparture);
@@ -47,6 +48,10 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture)
     perceive();
     const Time now = m_motion.devices().clock.now();
     if (arrived()) {
+      if (exactly) {
+        settle();
+        align();
+      }
       return ends(HomingEnd::Arrived);
     }
     if (toSeconds(now - m_lastSeen) > m_options.lostSeconds) {
@@ -95,9 +100,10 @@ void HomingRun::perceive()
   }
 }
 
-void HomingRun::take(const HomeVector &home, const Pose2 &oMr)
+void HomingRun::take(const HomeVector &seen, const Pose2 &oMr)
 {
-  m_inside = home.distanceProxy < m_options.arrivedProxy ? m_inside + 1 : 0;
+  const HomeVector home = m_servo.homeOfRobot(seen);
+  m_inside = home.distanceProxy < m_hereProxy ? m_inside + 1 : 0;
   noteReversal(home, oMr);
   m_seen.push_back({home, oMr});
   if (m_seen.size() > kRecent) {
@@ -119,7 +125,7 @@ void HomingRun::noteReversal(const HomeVector &home, const Pose2 &oMr)
     m_swing = now;
   }
   else if (std::abs(wrapAngle(now.oDirection - m_swing->oDirection)) > kSwing) {
-    m_reversals += home.distanceProxy < m_options.nearProxy ? m_options.reversals : 1;
+    m_reversals += home.distanceProxy < m_nearProxy ? m_options.reversals : 1;
     m_swing = now;
   }
 }
@@ -127,6 +133,40 @@ void HomingRun::noteReversal(const HomeVector &home, const Pose2 &oMr)
 bool HomingRun::arrived() const
 {
   return m_inside >= 2 || m_reversals >= m_options.reversals;
+}
+
+void HomingRun::settle()
+{
+  constexpr double kPassed = 2.0; // times settledProxy
+  m_hereProxy = m_options.settledProxy;
+  m_nearProxy = kPassed * m_options.settledProxy;
+  m_inside = 0;
+  m_reversals = 0;
+  m_swing.reset();
+  const Time begin = m_motion.devices().clock.now();
+  while (!arrived() &&
+         toSeconds(m_motion.devices().clock.now() - begin) < m_options.settleSeconds) {
+    drive(wayHome(std::nullopt));
+    m_motion.tick();
+    perceive();
+  }
+}
+
+void HomingRun::align()
+{
+  constexpr double kClose = radians(0.5);
+  m_motion.stop();
+  m_seen.clear(); // where it stands now counts
+  const Time begin = m_motion.devices().clock.now();
+  while (toSeconds(m_motion.devices().clock.now() - begin) < m_options.alignSeconds) {
+    m_motion.tick();
+    perceive();
+    const double error = m_seen.empty() ? 0.0 : wrapAngle(m_motion.pose().heading - placeHeading());
+    if (m_seen.size() == kRecent && std::abs(error) < kClose) {
+      return;
+    }
+    m_motion.turn(m_servo.align(error).w);
+  }
 }
 
 double HomingRun::placeHeading() const

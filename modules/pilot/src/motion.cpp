@@ -295,6 +295,11 @@ bool Motion::turnIsFree(double angle) const
   return travel > std::abs(angle) - kSlack;
 }
 
+void Motion::turn(double rate)
+{
+  go(avoid(m_sight.points, m_footprint, {0.0, rate}, m_safety));
+}
+
 bool Motion::turnTo(double oHeading)
 {
   constexpr double kClose = 0.03;
@@ -324,7 +329,7 @@ bool Motion::turnTo(double oHeading)
       way = direction != 0 && direction * error < 0.0 ? longWay : error;
     }
     const double rate = std::clamp(1.5 * std::abs(way), 0.08, m_options.maxTurnRate);
-    go(avoid(m_sight.points, m_footprint, {0.0, std::copysign(rate, way)}, m_safety));
+    turn(std::copysign(rate, way));
     tick();
   }
   stop();

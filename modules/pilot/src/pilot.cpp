@@ -33,10 +33,11 @@ const char *name(HomingEnd end)
 } // namespace
 
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
-             const PilotOptions &options, const std::atomic<bool> &stop)
+             const PilotOptions &options, const std::atomic<bool> &stop,
+             std::unique_ptr<HomingMethod> homing)
     : m_options(options), m_robot(robot), m_motion(devices, robot, options.motion, stop),
       m_camera(camera), m_unwarper(camera, options.panorama), m_places(options.places),
-      m_homing(makeHomingMethod(options.homingMethod))
+      m_homing(homing ? std::move(homing) : makeHomingMethod(options.homingMethod))
 {}
 
 Report Pilot::execute(const Command &command)
@@ -242,7 +243,7 @@ Report Pilot::run(const HomeTo &command)
   if (command.departure) {
     oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
   }
-  const HomingRun::Result result = homing.run(oDeparture);
+  const HomingRun::Result result = homing.run(oDeparture, command.exactly);
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
   const Homed report{result.end, chordTo(oMplace)};
   if (trace) {

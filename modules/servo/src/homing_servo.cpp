@@ -82,7 +82,7 @@ struct HomingServo::Tasks
 
 HomingServo::HomingServo(const Eigen::Isometry3d &rMp, const HomingServoOptions &options)
     : m_options(options), m_yaw(std::atan2(rMp.linear()(1, 0), rMp.linear()(0, 0))),
-      m_forward(rMp.translation().x())
+      m_rTp(rMp.translation().head<2>())
 {
   checkOptions(options);
   m_tasks = std::make_unique<Tasks>(rMp, options.gain);
@@ -99,6 +99,21 @@ Twist2 HomingServo::limited(double v, double w) const
   return {std::max(0.0, v / excess), w / excess};
 }
 
+HomeVector HomingServo::homeOfRobot(const HomeVector &mirror) const
+{
+  if (m_rTp.isZero(1e-6)) {
+    return mirror;
+  }
+  const double bearing = mirror.direction + m_yaw;
+  const double range = mirror.distanceProxy * m_options.landmarkRange;
+  const Eigen::Vector2d way = range * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)) +
+                              m_rTp - Eigen::Rotation2Dd(-mirror.headingChange) * m_rTp;
+  HomeVector home = mirror;
+  home.direction = wrapAngle(std::atan2(way.y(), way.x()) - m_yaw);
+  home.distanceProxy = way.norm() / m_options.landmarkRange;
+  return home;
+}
+
 Twist2 HomingServo::approach(const HomeVector &home)
 {
   if (!std::isfinite(home.direction) || !std::isfinite(home.distanceProxy)) {
@@ -111,7 +126,7 @@ Twist2 HomingServo::approach(const HomeVector &home)
     return limited(0.0, m_options.gain * bearing);
   }
   // A mirror behind the axle makes the task singular at a range of its distance from it.
-  const double least = std::max(m_options.rangeMin, -3.0 * m_forward);
+  const double least = std::max(m_options.rangeMin, -3.0 * m_rTp.x());
   const double range =
       std::max(least, std::min(m_options.rangeMax, home.distanceProxy * m_options.landmarkRange));
   // The wanted bearing is the robot's forward axis, seen in p.

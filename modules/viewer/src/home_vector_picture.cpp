@@ -124,6 +124,12 @@ private:
       return Point(corner + Point(side / 2.0, side / 2.0) +
                    scale() * Point(offset.x(), -offset.y()));
     };
+    if (!field.way.empty()) {
+      std::vector<Point> way;
+      std::transform(field.way.begin(), field.way.end(), std::back_inserter(way), pixel);
+      canvas.line(way, {std::nullopt, palette::kWay, 1.5});
+      canvas.circle(way.front(), 3.5, {palette::kWay, std::nullopt, 1.0});
+    }
     for (const HomeArrow &arrow : field.arrows) {
       drawArrow(canvas, pixel(arrow.place), arrow);
     }

@@ -57,6 +57,9 @@ struct Calibration
    */
   std::optional<double> mirrorEccentricity;
   std::vector<std::string> warnings; ///< one sentence each, what to do
+
+  /** Of the parameters, in their order, 1 on the diagonal; zero where held. */
+  Eigen::MatrixXd correlations() const;
 };
 
 /**

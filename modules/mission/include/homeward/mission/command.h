@@ -39,6 +39,8 @@ struct HomeTo
   NodeId node;
   /** Where to look for it first: radians from the stored heading of the node stood at, if known. */
   std::optional<double> departure;
+  /** Stand exactly there in the end, turned as when the node was seen. */
+  bool exactly = false;
 };
 
 /** Stand still: the mission is over. */

@@ -23,9 +23,9 @@ struct HomingRunOptions
   double arrivedProxy = 0.08;   ///< distance proxy of a place reached
   double nearProxy = 0.16;      ///< within it, a home vector that swings round says "passed it"
   int reversals = 3;            ///< farther away it must swing round so often on the same spot, ...
-  double swingConfidence = 0.4; ///< ... and be so sure
+  double swingConfidence = 0.6; ///< ... and be so sure
   double besideProxy = 0.12;    ///< within it, a place that nothing leads nearer to is reached
-  double minConfidence = 0.04;  ///< home vectors below say nothing
+  double minConfidence = 0.06;  ///< home vectors below say nothing
   double lostSeconds = 8.0;     ///< s without a home vector that says something
   double blockedSeconds = 3.0;  ///< s without a free way before it backs out, ...
   double headway = 0.15;        ///< metres it must have moved ...
@@ -33,6 +33,9 @@ struct HomingRunOptions
   int retreats = 2;             ///< ... so many times, then it gives up
   double retreat = 0.6;         ///< metres it backs out along the way it came
   double timeoutSeconds = 75.0; ///< s altogether
+  double settledProxy = 0.02;   ///< distance proxy of a place reached as well as can be
+  double settleSeconds = 20.0;  ///< s at most, to come from there to exactly there
+  double alignSeconds = 10.0;   ///< s at most, to turn as the place was seen
   double departureDistance = 1.5; ///< metres over which a known departure bearing is trusted
   /** A home vector that is late is waited for: the same run comes out on a slow machine. Only where
    * time stands still meanwhile, in simulation. */
@@ -58,9 +61,12 @@ public:
 
   HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look);
 
-  /** Drives until it has arrived or cannot go on. @param oDeparture heading to try first, odometry
-   * frame */
-  Result run(std::optional<double> oDeparture);
+  /**
+   * Drives until it has arrived or cannot go on.
+   * @param oDeparture heading to try first, odometry frame
+   * @param exactly then settles: as near as sight tells, turned as the place was seen
+   */
+  Result run(std::optional<double> oDeparture, bool exactly = false);
 
 private:
   struct Seen
@@ -77,9 +83,11 @@ private:
   };
 
   void perceive();
-  void take(const HomeVector &home, const Pose2 &oMr);
+  void take(const HomeVector &seen, const Pose2 &oMr);
   void noteReversal(const HomeVector &home, const Pose2 &oMr);
   bool arrived() const;
+  void settle();
+  void align();
   double placeHeading() const;
   Eigen::Vector2d wayHome(std::optional<double> oDeparture) const;
   void drive(const Eigen::Vector2d &oWay);
@@ -98,6 +106,8 @@ private:
   Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
   double m_startTravelled = 0.0;
   std::optional<Swing> m_swing; ///< when the home vector last swung round
+  double m_hereProxy;           ///< distance proxy that says "here"
+  double m_nearProxy;           ///< within it, a swing says "passed it"
   int m_inside = 0;             ///< home vectors in a row that say "here"
   int m_reversals = 0;          ///< swings on the same spot
   int m_retreats = 0;

@@ -117,6 +117,9 @@ public:
    */
   LocalDrive::State follow(const Twist2 &twist, double bearing);
 
+  /** Turns on the spot for one tick, as far as there is room. @param rate rad/s, left positive */
+  void turn(double rate);
+
   /** Turns on the spot to a heading of the odometry frame, backing out first of where there is no
    * room to. @return false when there still is none */
   bool turnTo(double oHeading);

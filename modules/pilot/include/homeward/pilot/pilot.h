@@ -35,9 +35,14 @@ struct PilotOptions
 class Pilot
 {
 public:
-  /** All arguments but the options must outlive the pilot. @param stop see Motion */
+  /**
+   * All arguments but the options must outlive the pilot.
+   * @param stop see Motion
+   * @param homing a method of the caller's own; null: the one that the options name
+   */
   Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
-        const PilotOptions &options, const std::atomic<bool> &stop);
+        const PilotOptions &options, const std::atomic<bool> &stop,
+        std::unique_ptr<HomingMethod> homing = nullptr);
 
   /** Does what the command says; the robot stands afterwards. @throw DeviceError when a device is
    * gone */

@@ -38,6 +38,14 @@ public:
   HomingServo &operator=(HomingServo &&) noexcept;
 
   /**
+   * Where the robot must go, rather than its mirror: a mirror ahead of the axle stands elsewhere
+   * when the robot stands at home turned otherwise.
+   * @param mirror home of the mirror's focus, in frame p of the current view
+   * @return home of the focus once the robot has come straight there and not turned yet, in frame p
+   */
+  HomeVector homeOfRobot(const HomeVector &mirror) const;
+
+  /**
    * Velocity of the robot towards home: s = (rho, beta), s* = ((1 - rangeShare) rho, 0),
    * (v, w) = -gain (L pVr rJr)^+ (s - s*).
    *
@@ -65,8 +73,8 @@ private:
   Twist2 limited(double v, double w) const;
 
   HomingServoOptions m_options;
-  double m_yaw;     ///< of p in r, rad
-  double m_forward; ///< of p in r, metres
+  double m_yaw;          ///< of p in r, rad
+  Eigen::Vector2d m_rTp; ///< of p in r, metres
   std::unique_ptr<Tasks> m_tasks;
 };
 

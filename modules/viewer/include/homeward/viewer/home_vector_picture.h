@@ -26,6 +26,7 @@ struct HomeVectorField
 {
   Eigen::Vector2d home; ///< metres, world frame
   std::vector<HomeArrow> arrows;
+  std::vector<Eigen::Vector2d> way = {}; ///< driven, metres, world frame; its start is a dot
 };
 
 /** What a picture of home vectors shows. */
