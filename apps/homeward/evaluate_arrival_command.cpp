@@ -89,7 +89,7 @@ void drawFailures(const std::string &file, const std::vector<ArrivalRun> &runs,
     }
   }
   picture.title = std::to_string(picture.fields.size()) + " of " + std::to_string(runs.size()) +
-                  " drives did not arrive: the way, and where it ended, coloured by its heading";
+                  " drives that did not arrive: way and last heading";
   if (!picture.fields.empty()) {
     writeText(file, std::filesystem::path(file).extension() == ".svg"
                         ? homeVectorSvg(picture)

@@ -58,20 +58,27 @@ private:
   Simulator &m_simulator;
 };
 
-/** Random places where the robot, turned as it is, stands free. */
-std::vector<Pose2> placesToStand(Simulator &simulator, std::size_t count, std::uint64_t seed)
+/** Whether the robot can stand at a place and turn there: one that is wedged in cannot leave. */
+bool hasRoom(Simulator &simulator, const Pose2 &place)
+{
+  constexpr int kHeadings = 8;
+  try {
+    for (int i = 0; i < kHeadings; ++i) {
+      simulator.kidnap({place.x, place.y, wrapAngle(place.heading + i * 2.0 * kPi / kHeadings)});
+    }
+    return true;
+  }
+  catch (const ConfigError &) {
+    return false;
+  }
+}
+
+std::vector<Pose2> placesWithRoom(Simulator &simulator, std::size_t count, std::uint64_t seed)
 {
   std::vector<Pose2> places = randomPoses(simulator.freeSpace(), count, seed);
-  const auto barred = [&](const Pose2 &place) {
-    try {
-      simulator.kidnap(place);
-      return false;
-    }
-    catch (const ConfigError &) {
-      return true;
-    }
-  };
-  places.erase(std::remove_if(places.begin(), places.end(), barred), places.end());
+  places.erase(std::remove_if(places.begin(), places.end(),
+                              [&](const Pose2 &place) { return !hasRoom(simulator, place); }),
+               places.end());
   return places;
 }
 
@@ -81,9 +88,9 @@ std::vector<std::pair<Pose2, Pose2>> homesAndStarts(Simulator &simulator,
 {
   const FreeSpace &space = simulator.freeSpace();
   constexpr std::size_t kTries = 40; // places drawn for a run
-  const std::vector<Pose2> homes = placesToStand(simulator, 2 * options.runs, options.seed);
+  const std::vector<Pose2> homes = placesWithRoom(simulator, 2 * options.runs, options.seed);
   std::vector<Pose2> places =
-      placesToStand(simulator, kTries * options.runs, options.seed ^ kStartSeed);
+      placesWithRoom(simulator, kTries * options.runs, options.seed ^ kStartSeed);
   std::vector<std::pair<Pose2, Pose2>> result;
   for (const Pose2 &home : homes) {
     const auto start = std::find_if(places.begin(), places.end(), [&](const Pose2 &place) {
@@ -119,7 +126,7 @@ public:
     how.threads = options.threads;
     simulator = std::make_unique<Simulator>(scene, robot, nominal, how);
     std::vector<Eigen::Vector2d> shifts;
-    for (const Pose2 &place : placesToStand(*simulator, kPictures, options.seed)) {
+    for (const Pose2 &place : placesWithRoom(*simulator, kPictures, options.seed)) {
       simulator->kidnap(place);
       if (const auto shift = rimShift(simulator->camera().grab()->image, nominal)) {
         shifts.push_back(*shift);

@@ -53,6 +53,7 @@ struct ArrivalScore
 
 /**
  * Drives home by sight from random places that see it, each with a pilot that knows this home only.
+ * At both ends there is room to turn.
  * @param nominal what the robot believes of its camera
  * @throw ConfigError when the world has no such places
  */
