@@ -130,6 +130,18 @@ TEST_F(PilotTest, DrivesOffAndFindsBackBySight)
   EXPECT_EQ(simulator.truth().collisions, 0);
 }
 
+TEST_F(PilotTest, StandsExactlyWhereItStoodAndAsItStoodWhenAskedTo)
+{
+  const Pose2 home = simulator.truth().pose;
+  makeNode(NodeId{0});
+  ask<Driven>(DriveDirection{0.4, 1.5});
+  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.08);
+  EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
+  EXPECT_NEAR(simulator.base().state().velocity.v, 0.0, 0.02);
+  EXPECT_EQ(simulator.truth().collisions, 0);
+}
+
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
 {
   makeNode(NodeId{0});

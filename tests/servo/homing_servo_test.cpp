@@ -46,6 +46,36 @@ HomeVector see(const Pose2 &wMr, const LoopCase &loop, const Eigen::Vector2d &ho
   return vector;
 }
 
+TEST(HomingServo, homeOfTheRobotIsWhereItStoodAndNotItsMirror)
+{
+  const LoopCase loop{"aheadAndTurned", 0.2, radians(30.0), 1.0};
+  const HomingServo servo(mount(loop));
+  Random random(5, 1);
+  for (int i = 0; i < 50; ++i) {
+    const Pose2 home{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                     random.uniform(-3.0, 3.0)};
+    const Pose2 here{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                     random.uniform(-3.0, 3.0)};
+    HomeVector mirror = see(here, loop, (home * planarMount(loop)).translation());
+    mirror.headingChange = wrapAngle(here.heading - home.heading);
+    const HomeVector robot = servo.homeOfRobot(mirror);
+    const Eigen::Vector2d rHome = here.inverse() * home.translation();
+    EXPECT_NEAR(robot.distanceProxy * servo.options().landmarkRange, rHome.norm(), 1e-9);
+    EXPECT_NEAR(wrapAngle(robot.direction + loop.yaw - std::atan2(rHome.y(), rHome.x())), 0.0,
+                1e-9);
+    EXPECT_EQ(robot.headingChange, mirror.headingChange);
+  }
+}
+
+TEST(HomingServo, homeOfAMirrorInTheMiddleIsHomeOfTheRobot)
+{
+  const HomingServo servo(mount({"middle", 0.0, radians(30.0), 1.0}));
+  const HomeVector seen{1.2, 0.3, -2.0, 0.7};
+  const HomeVector home = servo.homeOfRobot(seen);
+  EXPECT_EQ(home.direction, seen.direction);
+  EXPECT_EQ(home.distanceProxy, seen.distanceProxy);
+}
+
 class HomingLoop : public testing::TestWithParam<LoopCase>
 {};
 

@@ -73,32 +73,28 @@ bool hasRoom(Simulator &simulator, const Pose2 &place)
   }
 }
 
-std::vector<Pose2> placesWithRoom(Simulator &simulator, std::size_t count, std::uint64_t seed)
-{
-  std::vector<Pose2> places = randomPoses(simulator.freeSpace(), count, seed);
-  places.erase(std::remove_if(places.begin(), places.end(),
-                              [&](const Pose2 &place) { return !hasRoom(simulator, place); }),
-               places.end());
-  return places;
-}
-
 /** A start for each home that has one, in the order of the homes. */
 std::vector<std::pair<Pose2, Pose2>> homesAndStarts(Simulator &simulator,
                                                     const ArrivalOptions &options)
 {
+  constexpr std::size_t kHomes = 3;   // drawn for a run; not all will do
+  constexpr std::size_t kStarts = 40; // likewise
   const FreeSpace &space = simulator.freeSpace();
-  constexpr std::size_t kTries = 40; // places drawn for a run
-  const std::vector<Pose2> homes = placesWithRoom(simulator, 2 * options.runs, options.seed);
-  std::vector<Pose2> places =
-      placesWithRoom(simulator, kTries * options.runs, options.seed ^ kStartSeed);
+  std::vector<Pose2> places = randomPoses(space, kStarts * options.runs, options.seed ^ kStartSeed);
   std::vector<std::pair<Pose2, Pose2>> result;
-  for (const Pose2 &home : homes) {
+  for (const Pose2 &home : randomPoses(space, kHomes * options.runs, options.seed)) {
+    if (result.size() == options.runs) {
+      break;
+    }
+    if (!hasRoom(simulator, home)) {
+      continue;
+    }
     const auto start = std::find_if(places.begin(), places.end(), [&](const Pose2 &place) {
       const double away = (place.translation() - home.translation()).norm();
       return away >= options.nearest && away <= options.farthest &&
-             space.sees(home.translation(), place.translation());
+             space.sees(home.translation(), place.translation()) && hasRoom(simulator, place);
     });
-    if (start != places.end() && result.size() < options.runs) {
+    if (start != places.end()) {
       result.emplace_back(home, *start);
       places.erase(start);
     }
@@ -126,8 +122,10 @@ public:
     how.threads = options.threads;
     simulator = std::make_unique<Simulator>(scene, robot, nominal, how);
     std::vector<Eigen::Vector2d> shifts;
-    for (const Pose2 &place : placesWithRoom(*simulator, kPictures, options.seed)) {
-      simulator->kidnap(place);
+    for (const Pose2 &place : randomPoses(simulator->freeSpace(), kPictures, options.seed)) {
+      if (!hasRoom(*simulator, place)) {
+        continue;
+      }
       if (const auto shift = rimShift(simulator->camera().grab()->image, nominal)) {
         shifts.push_back(*shift);
       }
