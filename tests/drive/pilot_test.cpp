@@ -7,6 +7,7 @@
 #include <homeward/sim/simulator.h>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 namespace homeward
 {
@@ -54,7 +55,7 @@ protected:
   /** Surveys and makes the place known. */
   Surveyed makeNode(NodeId node)
   {
-    const auto surveyed = ask<Surveyed>(Survey{});
+    auto surveyed = ask<Surveyed>(Survey{});
     pilot.remember(node, pilot.view());
     return surveyed;
   }

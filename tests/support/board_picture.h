@@ -53,7 +53,7 @@ public:
     double outer = 0.0;     ///< pixels
   };
 
-  BoardPainter(RayOf rayOf, const Mirror &mirror, const Target &target)
+  BoardPainter(const RayOf &rayOf, const Mirror &mirror, const Target &target)
       : m_mirror(mirror), m_art(drawTarget(target)), m_paint(rasterise(m_art, kResolution))
   {
     m_rays.reserve(static_cast<std::size_t>(mirror.size.area()) * kSide * kSide);

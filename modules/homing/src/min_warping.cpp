@@ -133,6 +133,7 @@ void MinWarping::buildWindows()
   for (const std::vector<Candidate> &candidates : m_template) {
     std::vector<Window> &windows = m_windows.emplace_back();
     std::vector<std::pair<int, int>> sorted; // plane, delta
+    sorted.reserve(candidates.size());
     for (const Candidate &candidate : candidates) {
       sorted.emplace_back(candidate.plane, candidate.delta);
     }
@@ -341,8 +342,8 @@ WarpingMatch MinWarping::describe(const ScalePlanes &forward, const Sums &sums,
       }
       searched.push_back(value);
       otherTurn = farTurn ? std::min(otherTurn, value) : otherTurn;
-      opposite = farAlpha[static_cast<std::size_t>(alpha - psi + steps)] ? std::min(opposite, value)
-                                                                         : opposite;
+      const int turn = alpha - psi + steps;
+      opposite = farAlpha[static_cast<std::size_t>(turn)] ? std::min(opposite, value) : opposite;
     }
   }
   const auto middle = searched.begin() + std::ssize(searched) / 2;

@@ -42,7 +42,8 @@ public:
   /** Where i stands in a row, from 0 to 2 columns - 1. */
   std::size_t position(int i) const
   {
-    return static_cast<std::size_t>(i % m_step * (2 * m_columns / m_step) + i / m_step);
+    const int place = i % m_step * (2 * m_columns / m_step) + i / m_step;
+    return static_cast<std::size_t>(place);
   }
 
   /** The value in 0 to columns - 1 for any integer. */
