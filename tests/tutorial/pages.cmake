@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every tutorial below SOURCE/tutorial has its page, which includes its source and its output and shows its
+# picture, and a line in the index.
+file(READ ${SOURCE}/tutorial/README.md index)
+file(GLOB tutorials RELATIVE ${SOURCE}/tutorial ${SOURCE}/tutorial/[0-9][0-9]-*)
+foreach(name ${tutorials})
+  foreach(file tutorial/${name}/expected.txt doc/tutorials/${name}.md doc/pictures/tutorials/${name}.png)
+    if(NOT EXISTS ${SOURCE}/${file})
+      message(SEND_ERROR "${file} is missing")
+    endif()
+  endforeach()
+  file(READ ${SOURCE}/doc/tutorials/${name}.md page)
+  foreach(needed "\\include ${name}/main.cpp" "\\include ${name}/expected.txt" "tutorials/${name}.png")
+    string(FIND "${page}" "${needed}" at)
+    if(at EQUAL -1)
+      message(SEND_ERROR "doc/tutorials/${name}.md does not say ${needed}")
+    endif()
+  endforeach()
+  string(FIND "${index}" "doc/tutorials/${name}.md" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "tutorial/README.md has no line for ${name}")
+  endif()
+endforeach()
