@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every tutorial below SOURCE/tutorial has its page, which includes its source and its output and shows its
-# picture, and a line in the index.
+# Every tutorial below SOURCE/tutorial has a line in the index and its page; that of a program includes its
+# source and its output and shows its picture.
 file(READ ${SOURCE}/tutorial/README.md index)
 file(GLOB tutorials RELATIVE ${SOURCE}/tutorial ${SOURCE}/tutorial/[0-9][0-9]-*)
 foreach(name ${tutorials})
+  string(FIND "${index}" "doc/tutorials/${name}.md" at)
+  if(at EQUAL -1 OR NOT EXISTS ${SOURCE}/doc/tutorials/${name}.md)
+    message(SEND_ERROR "${name} has no page doc/tutorials/${name}.md or no line in tutorial/README.md")
+  endif()
+  if(NOT EXISTS ${SOURCE}/tutorial/${name}/main.cpp)
+    continue()
+  endif()
   foreach(file tutorial/${name}/expected.txt doc/tutorials/${name}.md doc/pictures/tutorials/${name}.png)
     if(NOT EXISTS ${SOURCE}/${file})
       message(SEND_ERROR "${file} is missing")
@@ -16,8 +23,4 @@ foreach(name ${tutorials})
       message(SEND_ERROR "doc/tutorials/${name}.md does not say ${needed}")
     endif()
   endforeach()
-  string(FIND "${index}" "doc/tutorials/${name}.md" at)
-  if(at EQUAL -1)
-    message(SEND_ERROR "tutorial/README.md has no line for ${name}")
-  endif()
 endforeach()
