@@ -9,4 +9,9 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/HomewardConfigVersi
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/HomewardConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/HomewardConfigVersion.cmake DESTINATION lib/cmake/Homeward)
-install(DIRECTORY data/ DESTINATION ${HOMEWARD_DATA_DIR})
+install(DIRECTORY data/ DESTINATION ${HOMEWARD_DATA_DIR} COMPONENT data)
+
+# The pages link to each other, to the tutorials and to the data as they do in the sources.
+install(FILES README.md CONTRIBUTING.md DESTINATION share/doc/homeward COMPONENT doc)
+install(DIRECTORY doc tutorial DESTINATION share/doc/homeward COMPONENT doc
+  PATTERN Doxyfile EXCLUDE)
