@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# homeward_module(<name> [<public dependency>...] [PRIVATE <dependency>...] [VISP_SOURCES <file>...])
+# homeward_module(<name> [<public dependency>...] [CXX20] [PRIVATE <dependency>...] [VISP_SOURCES <file>...])
 #
 # Makes the library homeward::<name> from src/*.cpp and include/homeward/<name>/*.h. The line is the
 # whole truth about what the module sees: public dependencies are transitive.
 #
 # VISP_SOURCES are compiled as C++17: ViSP 3.5's headers are no C++20. Headers that ViSP users include stay
-# C++17 too.
+# C++17 too. CXX20 says that the module's headers are C++20, to whoever links it, near or far.
 function(homeward_module name)
-  cmake_parse_arguments(ARG "" "" "PRIVATE;VISP_SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "CXX20" "" "PRIVATE;VISP_SOURCES" ${ARGN})
   set(target homeward_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   homeward_visp_sources(${ARG_VISP_SOURCES})
@@ -22,7 +22,7 @@ function(homeward_module name)
     set(scope INTERFACE)
   endif()
   add_library(homeward::${name} ALIAS ${target})
-  target_compile_features(${target} ${scope} cxx_std_17)
+  target_compile_features(${target} ${scope} $<IF:$<BOOL:${ARG_CXX20}>,cxx_std_20,cxx_std_17>)
   target_include_directories(${target} ${scope}
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} ${scope} ${ARG_UNPARSED_ARGUMENTS})

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_documents.h"
 #include "command.h"
 
 #include <homeward/core/error.h>
@@ -32,6 +33,10 @@ int main(int argc, char **argv)
   homeward::addHomeCommand(app, status);
   homeward::addLocalizeCommand(app, status);
   homeward::addEvaluateCommand(app, status);
+  if (const auto document = homeward::cliDocument(app, HOMEWARD_VERSION, argc, argv)) {
+    std::fputs(document->c_str(), stdout);
+    return homeward::kExitDone;
+  }
   try {
     app.parse(argc, argv);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli_documents.h"
 #include "mirror_feed.h"
 #include "simulated_pioneer.h"
 #include "simulated_robot.h"
@@ -177,6 +178,10 @@ int main(int argc, char **argv)
              "It says in one line of JSON where it can be reached, and runs until it is stopped.");
   homeward::Arguments arguments;
   homeward::addOptions(app, arguments);
+  if (const auto document = homeward::cliDocument(app, HOMEWARD_VERSION, argc, argv)) {
+    std::fputs(document->c_str(), stdout);
+    return 0;
+  }
   try {
     app.parse(argc, argv);
     homeward::simulate(arguments);
