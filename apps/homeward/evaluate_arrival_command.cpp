@@ -32,21 +32,6 @@ struct ArrivalArguments
   std::string picture;
 };
 
-const char *name(HomingEnd end)
-{
-  switch (end) {
-  case HomingEnd::Arrived:
-    return "arrived";
-  case HomingEnd::Blocked:
-    return "blocked";
-  case HomingEnd::TimedOut:
-    return "timed out";
-  case HomingEnd::Lost:
-    break;
-  }
-  return "lost";
-}
-
 nlohmann::json jsonOf(const Pose2 &pose)
 {
   return {pose.x, pose.y, pose.heading};

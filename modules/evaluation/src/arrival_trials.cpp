@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/evaluation/arrival_trials.h>
 
+#include "median.h"
+
 #include <homeward/camera/rim.h>
 #include <homeward/core/error.h>
 
@@ -160,16 +162,6 @@ Panorama viewAt(Robot &robot, const Pose2 &place, const PilotOptions &options)
   Pilot pilot = robot.pilot(robot.simulator->clock(), options, stop);
   pilot.execute(Survey{});
   return pilot.view();
-}
-
-double median(std::vector<double> values)
-{
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/evaluation/homing_run.h>
 
+#include "median.h"
+
 #include <homeward/core/error.h>
 
 #include <algorithm>
@@ -33,16 +35,6 @@ double mean(const std::vector<double> &values)
   return values.empty() ? 0.0
                         : std::accumulate(values.begin(), values.end(), 0.0) /
                               static_cast<double>(values.size());
-}
-
-double median(std::vector<double> values)
-{
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double shareOver90(const std::vector<double> &errors)

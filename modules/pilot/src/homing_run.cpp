@@ -118,7 +118,7 @@ void HomingRun::noteReversal(const HomeVector &home, const Pose2 &oMr)
   if (home.confidence < m_options.swingConfidence) {
     return;
   }
-  const Swing now{wrapAngle(oMr.heading + home.direction), oMr.translation()};
+  const Swing now{wrapAngle(oMr.heading + m_servo.mirrorYaw() + home.direction), oMr.translation()};
   const bool still = m_swing && (m_swing->oPosition - now.oPosition).norm() < kRoom;
   if (!still) {
     m_reversals = 0;
@@ -183,7 +183,8 @@ Eigen::Vector2d HomingRun::wayHome(std::optional<double> oDeparture) const
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double weight = 1.0;
   for (auto seen = m_seen.rbegin(); seen != m_seen.rend(); ++seen) {
-    sum += weight * seen->home.confidence * unit(seen->oMr.heading + seen->home.direction);
+    sum += weight * seen->home.confidence *
+           unit(seen->oMr.heading + m_servo.mirrorYaw() + seen->home.direction);
     weight *= 0.6;
   }
   if (oDeparture) {
@@ -206,9 +207,10 @@ void HomingRun::drive(const Eigen::Vector2d &oWay)
     return;
   }
   HomeVector home = m_seen.back().home;
-  home.direction = wrapAngle(std::atan2(oWay.y(), oWay.x()) - m_motion.pose().heading);
+  const double bearing = wrapAngle(std::atan2(oWay.y(), oWay.x()) - m_motion.pose().heading);
+  home.direction = wrapAngle(bearing - m_servo.mirrorYaw());
   const Twist2 twist = m_servo.approach(home);
-  if (m_motion.follow(twist, home.direction) != LocalDrive::State::Blocked) {
+  if (m_motion.follow(twist, bearing) != LocalDrive::State::Blocked) {
     m_lastFree = now;
   }
 }

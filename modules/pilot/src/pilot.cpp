@@ -12,26 +12,6 @@
 
 namespace homeward
 {
-namespace
-{
-
-const char *name(HomingEnd end)
-{
-  switch (end) {
-  case HomingEnd::Arrived:
-    return "arrived";
-  case HomingEnd::Blocked:
-    return "blocked";
-  case HomingEnd::Lost:
-    return "lost";
-  case HomingEnd::TimedOut:
-    return "timed out";
-  }
-  return "?";
-}
-
-} // namespace
-
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
              const PilotOptions &options, const std::atomic<bool> &stop,
              std::unique_ptr<HomingMethod> homing)

@@ -57,6 +57,9 @@ enum class HomingEnd
   TimedOut
 };
 
+/** As people read it: "arrived", "timed out". */
+const char *name(HomingEnd end);
+
 /** Answer to HomeTo. */
 struct Homed
 {

@@ -65,6 +65,9 @@ public:
    */
   Twist2 align(double headingError);
 
+  /** Of frame p in the robot's, radians: a bearing in p and this make one from the robot's nose. */
+  double mirrorYaw() const { return m_yaw; }
+
   const HomingServoOptions &options() const { return m_options; }
 
 private:
