@@ -39,12 +39,12 @@ private:
 class PilotTest : public testing::Test
 {
 protected:
-  PilotTest()
+  explicit PilotTest(const RobotDescription &robot = testRobot())
       : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / "worlds/lab.sdf"))),
-        simulator(m_scene, testRobot(), testCamera(), optionsAt({0.0, -2.5, 0.0})),
+        simulator(m_scene, robot, testCamera(), optionsAt({0.0, -2.5, 0.0})),
         camera(simulator.camera()),
-        pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, testRobot(),
-              testCamera(), {}, stop)
+        pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, robot, testCamera(),
+              {}, stop)
   {}
 
   template <class Answer> Answer ask(const Command &command)
@@ -80,6 +80,22 @@ protected:
   CoveredCamera camera;
   std::atomic<bool> stop = false;
   Pilot pilot;
+};
+
+/** Its mirror stands ahead of its middle and is turned to the left. */
+class AskewPilotTest : public PilotTest
+{
+protected:
+  AskewPilotTest() : PilotTest(askew()) {}
+
+private:
+  static RobotDescription askew()
+  {
+    RobotDescription robot = testRobot();
+    robot.rMp.translation().x() += 0.2;
+    robot.rMp.rotate(Eigen::AngleAxisd(radians(30.0), Eigen::Vector3d::UnitZ()));
+    return robot;
+  }
 };
 
 /** What a pilot sees whose camera file is so many pixels off, from one place in the laboratory. */
@@ -141,6 +157,16 @@ TEST_F(PilotTest, StandsExactlyWhereItStoodAndAsItStoodWhenAskedTo)
   EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
   EXPECT_NEAR(simulator.base().state().velocity.v, 0.0, 0.02);
   EXPECT_EQ(simulator.truth().collisions, 0);
+}
+
+TEST_F(AskewPilotTest, StandsWhereTheRobotStoodAndNotItsMirror)
+{
+  const Pose2 home = simulator.truth().pose;
+  makeNode(NodeId{0});
+  ask<Driven>(DriveDirection{0.4, 1.5});
+  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.1);
+  EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
 }
 
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)

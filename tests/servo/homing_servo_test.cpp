@@ -58,7 +58,7 @@ TEST(HomingServo, homeOfTheRobotIsWhereItStoodAndNotItsMirror)
                      random.uniform(-3.0, 3.0)};
     HomeVector mirror = see(here, loop, (home * planarMount(loop)).translation());
     mirror.headingChange = wrapAngle(here.heading - home.heading);
-    const HomeVector robot = servo.homeOfRobot(mirror);
+    const HomeVector robot = servo.homeOfRobot(mirror, servo.options().landmarkRange);
     const Eigen::Vector2d rHome = here.inverse() * home.translation();
     EXPECT_NEAR(robot.distanceProxy * servo.options().landmarkRange, rHome.norm(), 1e-9);
     EXPECT_NEAR(wrapAngle(robot.direction + loop.yaw - std::atan2(rHome.y(), rHome.x())), 0.0,
@@ -71,9 +71,9 @@ TEST(HomingServo, homeOfAMirrorInTheMiddleIsHomeOfTheRobot)
 {
   const HomingServo servo(mount({"middle", 0.0, radians(30.0), 1.0}));
   const HomeVector seen{1.2, 0.3, -2.0, 0.7};
-  const HomeVector home = servo.homeOfRobot(seen);
-  EXPECT_EQ(home.direction, seen.direction);
-  EXPECT_EQ(home.distanceProxy, seen.distanceProxy);
+  const HomeVector home = servo.homeOfRobot(seen, 3.0);
+  EXPECT_NEAR(home.direction, seen.direction, 1e-12);
+  EXPECT_NEAR(home.distanceProxy * servo.options().landmarkRange, 3.0 * seen.distanceProxy, 1e-12);
 }
 
 class HomingLoop : public testing::TestWithParam<LoopCase>

@@ -23,8 +23,8 @@ Eigen::Vector2d unit(double angle)
 
 HomingRun::HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look)
     : m_motion(motion), m_servo(servo), m_options(options), m_look(std::move(look)),
-      m_worker(fromSeconds(options.visionLatency)), m_hereProxy(options.arrivedProxy),
-      m_nearProxy(options.nearProxy)
+      m_worker(fromSeconds(options.visionLatency)), m_scale(servo.options().landmarkRange),
+      m_hereProxy(options.arrivedProxy), m_nearProxy(options.nearProxy)
 {}
 
 HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
@@ -51,6 +51,10 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
       if (exactly) {
         settle();
         align();
+        for (int step = 0; step < m_options.steps && !settled(); ++step) {
+          stepOver();
+          align();
+        }
       }
       return ends(HomingEnd::Arrived);
     }
@@ -102,13 +106,20 @@ void HomingRun::perceive()
 
 void HomingRun::take(const HomeVector &seen, const Pose2 &oMr)
 {
-  const HomeVector home = m_servo.homeOfRobot(seen);
+  m_scale.add((oMr * m_servo.mirror()).translation(), oDirection({seen, oMr}), seen.distanceProxy,
+              seen.confidence);
+  const HomeVector home = m_servo.homeOfRobot(seen, m_scale.metres());
   m_inside = home.distanceProxy < m_hereProxy ? m_inside + 1 : 0;
   noteReversal(home, oMr);
   m_seen.push_back({home, oMr});
   if (m_seen.size() > kRecent) {
     m_seen.erase(m_seen.begin());
   }
+}
+
+double HomingRun::oDirection(const Seen &seen) const
+{
+  return seen.oMr.heading + m_servo.mirror().heading + seen.home.direction;
 }
 
 void HomingRun::noteReversal(const HomeVector &home, const Pose2 &oMr)
@@ -118,7 +129,7 @@ void HomingRun::noteReversal(const HomeVector &home, const Pose2 &oMr)
   if (home.confidence < m_options.swingConfidence) {
     return;
   }
-  const Swing now{wrapAngle(oMr.heading + m_servo.mirrorYaw() + home.direction), oMr.translation()};
+  const Swing now{wrapAngle(oDirection({home, oMr})), oMr.translation()};
   const bool still = m_swing && (m_swing->oPosition - now.oPosition).norm() < kRoom;
   if (!still) {
     m_reversals = 0;
@@ -152,17 +163,51 @@ void HomingRun::settle()
   }
 }
 
+Eigen::Vector2d HomingRun::rest() const
+{
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Seen &seen : m_seen) {
+    sum += seen.home.distanceProxy * unit(oDirection(seen));
+  }
+  return m_seen.empty() ? sum : Eigen::Vector2d(sum / static_cast<double>(m_seen.size()));
+}
+
+bool HomingRun::settled() const
+{
+  return !m_aligned || rest().norm() < m_options.settledProxy;
+}
+
+void HomingRun::stepOver()
+{
+  constexpr double kSpeed = 0.1;   // m/s
+  constexpr double kLeast = 0.01;  // metres
+  constexpr double kSeconds = 5.0; // at most
+  const Eigen::Vector2d way = m_servo.options().landmarkRange * rest();
+  const Eigen::Vector2d oTarget = m_motion.pose().translation() + way;
+  const double oBearing = std::atan2(way.y(), way.x());
+  if (m_motion.turnTo(oBearing)) {
+    const Time begin = m_motion.devices().clock.now();
+    while (unit(oBearing).dot(oTarget - m_motion.pose().translation()) > kLeast &&
+           toSeconds(m_motion.devices().clock.now() - begin) < kSeconds) {
+      m_motion.follow({kSpeed, 0.0}, 0.0);
+      m_motion.tick();
+    }
+  }
+}
+
 void HomingRun::align()
 {
   constexpr double kClose = radians(0.5);
-  m_motion.stop();
+  m_motion.turnTo(placeHeading());
   m_seen.clear(); // where it stands now counts
+  m_aligned = false;
   const Time begin = m_motion.devices().clock.now();
   while (toSeconds(m_motion.devices().clock.now() - begin) < m_options.alignSeconds) {
     m_motion.tick();
     perceive();
     const double error = m_seen.empty() ? 0.0 : wrapAngle(m_motion.pose().heading - placeHeading());
     if (m_seen.size() == kRecent && std::abs(error) < kClose) {
+      m_aligned = true;
       return;
     }
     m_motion.turn(m_servo.align(error).w);
@@ -183,8 +228,7 @@ Eigen::Vector2d HomingRun::wayHome(std::optional<double> oDeparture) const
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double weight = 1.0;
   for (auto seen = m_seen.rbegin(); seen != m_seen.rend(); ++seen) {
-    sum += weight * seen->home.confidence *
-           unit(seen->oMr.heading + m_servo.mirrorYaw() + seen->home.direction);
+    sum += weight * seen->home.confidence * unit(oDirection(*seen));
     weight *= 0.6;
   }
   if (oDeparture) {
@@ -208,7 +252,7 @@ void HomingRun::drive(const Eigen::Vector2d &oWay)
   }
   HomeVector home = m_seen.back().home;
   const double bearing = wrapAngle(std::atan2(oWay.y(), oWay.x()) - m_motion.pose().heading);
-  home.direction = wrapAngle(bearing - m_servo.mirrorYaw());
+  home.direction = wrapAngle(bearing - m_servo.mirror().heading);
   const Twist2 twist = m_servo.approach(home);
   if (m_motion.follow(twist, bearing) != LocalDrive::State::Blocked) {
     m_lastFree = now;

@@ -81,8 +81,8 @@ struct HomingServo::Tasks
 };
 
 HomingServo::HomingServo(const Eigen::Isometry3d &rMp, const HomingServoOptions &options)
-    : m_options(options), m_yaw(std::atan2(rMp.linear()(1, 0), rMp.linear()(0, 0))),
-      m_rTp(rMp.translation().head<2>())
+    : m_options(options), m_rMp{rMp.translation().x(), rMp.translation().y(),
+                                std::atan2(rMp.linear()(1, 0), rMp.linear()(0, 0))}
 {
   checkOptions(options);
   m_tasks = std::make_unique<Tasks>(rMp, options.gain);
@@ -99,17 +99,15 @@ Twist2 HomingServo::limited(double v, double w) const
   return {std::max(0.0, v / excess), w / excess};
 }
 
-HomeVector HomingServo::homeOfRobot(const HomeVector &mirror) const
+HomeVector HomingServo::homeOfRobot(const HomeVector &seen, double metres) const
 {
-  if (m_rTp.isZero(1e-6)) {
-    return mirror;
-  }
-  const double bearing = mirror.direction + m_yaw;
-  const double range = mirror.distanceProxy * m_options.landmarkRange;
-  const Eigen::Vector2d way = range * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)) +
-                              m_rTp - Eigen::Rotation2Dd(-mirror.headingChange) * m_rTp;
-  HomeVector home = mirror;
-  home.direction = wrapAngle(std::atan2(way.y(), way.x()) - m_yaw);
+  const Eigen::Vector2d rTp = m_rMp.translation();
+  const double bearing = seen.direction + m_rMp.heading;
+  const double range = seen.distanceProxy * metres;
+  const Eigen::Vector2d way = range * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)) + rTp -
+                              Eigen::Rotation2Dd(-seen.headingChange) * rTp;
+  HomeVector home = seen;
+  home.direction = wrapAngle(std::atan2(way.y(), way.x()) - m_rMp.heading);
   home.distanceProxy = way.norm() / m_options.landmarkRange;
   return home;
 }
@@ -121,17 +119,17 @@ Twist2 HomingServo::approach(const HomeVector &home)
                      " and distance proxy " + std::to_string(home.distanceProxy) +
                      ", must be finite");
   }
-  const double bearing = wrapAngle(home.direction + m_yaw); // in the robot's frame
+  const double bearing = wrapAngle(home.direction + m_rMp.heading); // in the robot's frame
   if (std::abs(bearing) > m_options.turnFirst) {
     return limited(0.0, m_options.gain * bearing);
   }
   // A mirror behind the axle makes the task singular at a range of its distance from it.
-  const double least = std::max(m_options.rangeMin, -3.0 * m_rTp.x());
+  const double least = std::max(m_options.rangeMin, -3.0 * m_rMp.x);
   const double range =
       std::max(least, std::min(m_options.rangeMax, home.distanceProxy * m_options.landmarkRange));
   // The wanted bearing is the robot's forward axis, seen in p.
   m_tasks->vector.set(range, home.direction);
-  m_tasks->wantedVector.set((1.0 - m_options.rangeShare) * range, -m_yaw);
+  m_tasks->wantedVector.set((1.0 - m_options.rangeShare) * range, -m_rMp.heading);
   const vpColVector command = m_tasks->approach.computeControlLaw();
   return limited(command[0], command[1]);
 }

@@ -6,6 +6,7 @@
 #include <homeward/pilot/motion.h>
 #include <homeward/pilot/vision_worker.h>
 #include <homeward/servo/homing_servo.h>
+#include <homeward/servo/range_scale.h>
 
 #include <functional>
 #include <optional>
@@ -35,6 +36,7 @@ struct HomingRunOptions
   double timeoutSeconds = 75.0; ///< s altogether
   double settledProxy = 0.02;   ///< distance proxy of a place reached as well as can be
   double settleSeconds = 20.0;  ///< s at most, to come from there to exactly there
+  int steps = 2;                ///< at most, by odometry, where it then still sees a way to go
   double alignSeconds = 10.0;   ///< s at most, to turn as the place was seen
   double departureDistance = 1.5; ///< metres over which a known departure bearing is trusted
   /** A home vector that is late is waited for: the same run comes out on a slow machine. Only where
@@ -88,6 +90,10 @@ private:
   bool arrived() const;
   void settle();
   void align();
+  bool settled() const;
+  void stepOver();
+  Eigen::Vector2d rest() const; ///< way left, odometry frame, in distance proxies
+  double oDirection(const Seen &seen) const;
   double placeHeading() const;
   Eigen::Vector2d wayHome(std::optional<double> oDeparture) const;
   void drive(const Eigen::Vector2d &oWay);
@@ -105,12 +111,14 @@ private:
   Time m_gotOn;              ///< when it last had moved on
   Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
   double m_startTravelled = 0.0;
+  RangeScale m_scale;
   std::optional<Swing> m_swing; ///< when the home vector last swung round
   double m_hereProxy;           ///< distance proxy that says "here"
   double m_nearProxy;           ///< within it, a swing says "passed it"
   int m_inside = 0;             ///< home vectors in a row that say "here"
   int m_reversals = 0;          ///< swings on the same spot
   int m_retreats = 0;
+  bool m_aligned = false; ///< stands as the place was seen
 };
 
 } // namespace homeward

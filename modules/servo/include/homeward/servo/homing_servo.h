@@ -40,10 +40,11 @@ public:
   /**
    * Where the robot must go, rather than its mirror: a mirror ahead of the axle stands elsewhere
    * when the robot stands at home turned otherwise.
-   * @param mirror home of the mirror's focus, in frame p of the current view
+   * @param seen home of the mirror's focus, in frame p of the current view
+   * @param metres that its distance proxy of 1 stands for
    * @return home of the focus once the robot has come straight there and not turned yet, in frame p
    */
-  HomeVector homeOfRobot(const HomeVector &mirror) const;
+  HomeVector homeOfRobot(const HomeVector &seen, double metres) const;
 
   /**
    * Velocity of the robot towards home: s = (rho, beta), s* = ((1 - rangeShare) rho, 0),
@@ -65,8 +66,8 @@ public:
    */
   Twist2 align(double headingError);
 
-  /** Of frame p in the robot's, radians: a bearing in p and this make one from the robot's nose. */
-  double mirrorYaw() const { return m_yaw; }
+  /** Pose of frame p on the robot, seen from above. */
+  const Pose2 &mirror() const { return m_rMp; }
 
   const HomingServoOptions &options() const { return m_options; }
 
@@ -76,8 +77,7 @@ private:
   Twist2 limited(double v, double w) const;
 
   HomingServoOptions m_options;
-  double m_yaw;          ///< of p in r, rad
-  Eigen::Vector2d m_rTp; ///< of p in r, metres
+  Pose2 m_rMp;
   std::unique_ptr<Tasks> m_tasks;
 };
 
