@@ -39,17 +39,34 @@ function(homeward_visp_sources)
   endif()
 endfunction()
 
-# homeward_test(<module> [<extra library>...]): every tests/<module>/*_test.cpp becomes one program.
+# homeward_run_tests(<target> <name> <label> <shards>)
+#
+# ctest runs a test program as so many processes side by side, <name>.1 and so on, each with its share of the
+# tests: loading the libraries takes longer than most tests. `<target> --gtest_filter=...` runs one of them.
+function(homeward_run_tests target name label shards)
+  math(EXPR last "${shards} - 1")
+  foreach(index RANGE ${last})
+    math(EXPR number "${index} + 1")
+    add_test(NAME ${name}.${number} COMMAND ${target})
+    set_tests_properties(${name}.${number} PROPERTIES LABELS ${label} TIMEOUT 600 COST 10
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+  endforeach()
+endfunction()
+
+# homeward_test(<module> [SHARDS <n>] [<extra library>...]): every tests/<module>/*_test.cpp becomes one program.
 function(homeward_test module)
+  cmake_parse_arguments(ARG "" "SHARDS" "" ${ARGN})
   set(target test_${module})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${module}/*_test.cpp)
   if(NOT sources)
     return()
   endif()
   add_executable(${target} ${sources})
-  target_link_libraries(${target} PRIVATE homeward_warnings homeward_test_support ${ARGN}
+  target_link_libraries(${target} PRIVATE homeward_warnings homeward_test_support ${ARG_UNPARSED_ARGUMENTS}
                                           GTest::gmock GTest::gtest_main)
   target_precompile_headers(${target} REUSE_FROM test_precompiled)
-  gtest_discover_tests(${target} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60
-                       PROPERTIES LABELS unit TIMEOUT 120)
+  if(NOT ARG_SHARDS)
+    set(ARG_SHARDS 1)
+  endif()
+  homeward_run_tests(${target} ${module} unit ${ARG_SHARDS})
 endfunction()

@@ -57,7 +57,7 @@ TEST(CalibrateLive, watchesACameraAndSaysWhatToDo)
 TEST(CalibrateLive, keepsTheViewsOfACameraThatIsUnplugged)
 {
   const Folder folder;
-  const PictureStream stream(boardRoundAMirror(4), std::chrono::milliseconds(300), 4);
+  const PictureStream stream(boardRoundAMirror(4), std::chrono::milliseconds(900), 4);
   const ProgramRun run = runProgram("--live " + stream.url() + kTarget + "-o " +
                                     (folder / "camera.yaml") + " --keep " + (folder / "views"));
   EXPECT_EQ(run.status, 1);
