@@ -4,12 +4,12 @@
 #include "findings.h"
 #include "robust_fit.h"
 #include "starting.h"
+#include "symmetric_eigen.h"
 
 #include <homeward/calib/convert.h>
 #include <homeward/camera/camera_models.h>
 #include <homeward/core/error.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -134,15 +134,15 @@ Eigen::MatrixXd covarianceOf(const RobustFit &fit, const std::vector<bool> &esti
   const Eigen::MatrixXd &information = fit.bundle.information;
   const Eigen::VectorXd scale = information.diagonal().array().max(1e-300).rsqrt();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
+  const SymmetricEigen eigen = symmetricEigen(scaled);
   constexpr double kSingular = 1e-13;
-  if (!(solver.eigenvalues()[0] > kSingular)) {
+  if (!(eigen.values[0] > kSingular)) {
     throw ConfigError("the views do not determine the camera: hold the target nearer, tilted in "
                       "different ways and all round the picture, or calibrate without distortion");
   }
-  const Eigen::MatrixXd inverse = scale.asDiagonal() * solver.eigenvectors() *
-                                  solver.eigenvalues().cwiseInverse().asDiagonal() *
-                                  solver.eigenvectors().transpose() * scale.asDiagonal();
+  const Eigen::MatrixXd inverse = scale.asDiagonal() * eigen.vectors *
+                                  eigen.values.cwiseInverse().asDiagonal() *
+                                  eigen.vectors.transpose() * scale.asDiagonal();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "findings.h"
 
+#include "symmetric_eigen.h"
+
 #include <homeward/calib/radial_start.h>
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ bool isSolid(const BoardView &view)
   for (const Eigen::Vector3d &point : view.board) {
     scatter += (point - mean) * (point - mean).transpose();
   }
-  const auto spread = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues();
+  const Eigen::VectorXd spread = symmetricEigen(scatter).values;
   constexpr double kFlat = 1e-4; // squared, of the longest
   return spread[0] > kFlat * spread[2];
 }

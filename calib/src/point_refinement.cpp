@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_refinement.h"
 
-#include <Eigen/Eigenvalues>
+#include "symmetric_eigen.h"
+
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>
 
@@ -140,10 +141,10 @@ std::optional<Eigen::Vector3d> edgeLine(const cv::Mat1b &picture, const ToPictur
     for (const auto &point : points) {
       spread += (point - mean) * (point - mean).transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(spread);
-    const Eigen::Vector2d normal = solver.eigenvectors().col(0);
+    const SymmetricEigen principal = symmetricEigen(spread);
+    const Eigen::Vector2d normal = principal.vectors.col(0);
     line << normal, -normal.dot(mean);
-    const double sigma = std::sqrt(solver.eigenvalues()(0) / static_cast<double>(points.size()));
+    const double sigma = std::sqrt(principal.values[0] / static_cast<double>(points.size()));
     std::erase_if(points, [&](const Eigen::Vector2d &point) {
       return std::abs(line.dot(point.homogeneous())) > 2.0 * sigma + 1e-9;
     });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/calib/radial_start.h>
 
-#include <Eigen/Eigenvalues>
+#include "symmetric_eigen.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -39,15 +41,15 @@ std::optional<Centred> centred(const BoardView &view)
     scatter += (point - mean) * (point - mean).transpose();
   }
   scatter /= static_cast<double>(view.board.size());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Eigen::Vector3d spreads = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const SymmetricEigen principal = symmetricEigen(scatter);
+  const Eigen::Vector3d spreads = principal.values.cwiseMax(0.0).cwiseSqrt();
   constexpr double kLine = 0.02; // of the length
   constexpr double kFlat = 0.01;
   if (!(spreads[2] > 0.0) || spreads[1] < kLine * spreads[2]) {
     return std::nullopt;
   }
   Centred result;
-  Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
+  Eigen::Matrix3d axes = principal.vectors.rowwise().reverse();
   axes.col(2) = axes.col(0).cross(axes.col(1));
   result.oMp.linear() = axes;
   result.oMp.translation() = mean;
@@ -60,12 +62,14 @@ std::optional<Centred> centred(const BoardView &view)
 }
 
 /** The two rows of the pose up to scale: least pixels across the radius, reweighted. */
-template <int Columns>
 RadialRow radialRows(const Centred &centred, const BoardView &view, const Eigen::Vector2d &centre,
                      double &rms)
 {
-  using Row = Eigen::Matrix<double, 2 * Columns, 1>;
-  using Square = Eigen::Matrix<double, 2 * Columns, 2 * Columns>;
+  using Square = Eigen::Matrix<double, 8, 8>;
+  const std::vector<Eigen::Index> unknown = centred.flat
+                                                ? std::vector<Eigen::Index>{0, 1, 3, 4, 5, 7}
+                                                : std::vector<Eigen::Index>{0, 1, 2, 3, 4, 5, 6, 7};
+  const auto n = std::ssize(unknown);
   RadialRow h = RadialRow::Zero();
   std::vector<double> weights(view.pixels.size(), 1.0);
   constexpr int kRounds = 2;
@@ -73,19 +77,21 @@ RadialRow radialRows(const Centred &centred, const BoardView &view, const Eigen:
     Square M = Square::Zero();
     for (std::size_t i = 0; i < view.pixels.size(); ++i) {
       const Eigen::Vector2d m = view.pixels[i] - centre;
-      Eigen::Matrix<double, Columns, 1> point;
-      point << centred.points[i].template head<Columns - 1>(), 1.0;
-      Row row;
+      const Eigen::Vector4d point = centred.points[i].homogeneous();
+      RadialRow row;
       row << -m.y() * point, m.x() * point;
       M.noalias() += weights[i] * row * row.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Square> solver(M);
-    const Row best = solver.eigenvectors().col(0);
-    h.setZero();
-    h.segment<Columns - 1>(0) = best.template head<Columns - 1>();
-    h[3] = best[Columns - 1];
-    h.segment<Columns - 1>(4) = best.template segment<Columns - 1>(Columns);
-    h[7] = best[2 * Columns - 1];
+    Eigen::MatrixXd ofUnknown(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index k = 0; k < n; ++k) {
+        ofUnknown(i, k) = M(unknown[i], unknown[k]);
+      }
+    }
+    const Eigen::VectorXd best = symmetricEigen(ofUnknown).vectors.col(0);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      h[unknown[i]] = best[i];
+    }
     double sum = 0.0;
     double along = 0.0;
     for (std::size_t i = 0; i < view.pixels.size(); ++i) {
@@ -102,13 +108,6 @@ RadialRow radialRows(const Centred &centred, const BoardView &view, const Eigen:
     h = along < 0.0 ? RadialRow(-h) : h;
   }
   return h;
-}
-
-RadialRow radialRows(const Centred &centred, const BoardView &view, const Eigen::Vector2d &centre,
-                     double &rms)
-{
-  return centred.flat ? radialRows<3>(centred, view, centre, rms)
-                      : radialRows<4>(centred, view, centre, rms);
 }
 
 /** Rotation and first two coordinates from the rows; two answers of a flat target. */

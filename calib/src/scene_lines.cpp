@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene_lines.h"
 
+#include "symmetric_eigen.h"
+
 #include <homeward/core/angle.h>
 
-#include <Eigen/Eigenvalues>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -48,10 +49,10 @@ Eigen::Vector3d planeOf(const std::vector<Eigen::Vector3d> &rays, bool throughAx
     sum += ray * ray.transpose();
   }
   if (!throughAxis) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
+    return symmetricEigen(sum).vectors.col(0);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(sum.topLeftCorner<2, 2>());
-  return {solver.eigenvectors()(0, 0), solver.eigenvectors()(1, 0), 0.0};
+  const Eigen::MatrixXd vectors = symmetricEigen(sum.topLeftCorner<2, 2>()).vectors;
+  return {vectors(0, 0), vectors(1, 0), 0.0};
 }
 
 /** How far from a plane's image the picture shows a ray, pixels. */

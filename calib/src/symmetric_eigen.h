@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace homeward
+{
+
+/** Eigenvalues in ascending order; column i is the unit eigenvector of values[i]. */
+struct SymmetricEigen
+{
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+/** Of a symmetric matrix. Not a template, for Eigen's solver takes seconds to compile. */
+SymmetricEigen symmetricEigen(const Eigen::MatrixXd &matrix);
+
+} // namespace homeward
