@@ -108,7 +108,8 @@ void HomingRun::take(const HomeVector &seen, const Pose2 &oMr)
 {
   m_scale.add((oMr * m_servo.mirror()).translation(), oDirection({seen, oMr}), seen.distanceProxy,
               seen.confidence);
-  const HomeVector home = m_servo.homeOfRobot(seen, m_scale.metres());
+  const double metres = m_settling ? m_scale.metres() : m_servo.options().landmarkRange;
+  const HomeVector home = m_servo.homeOfRobot(seen, metres);
   m_inside = home.distanceProxy < m_hereProxy ? m_inside + 1 : 0;
   noteReversal(home, oMr);
   m_seen.push_back({home, oMr});
@@ -149,6 +150,7 @@ bool HomingRun::arrived() const
 void HomingRun::settle()
 {
   constexpr double kPassed = 2.0; // times settledProxy
+  m_settling = true;
   m_hereProxy = m_options.settledProxy;
   m_nearProxy = kPassed * m_options.settledProxy;
   m_inside = 0;

@@ -118,7 +118,8 @@ private:
   int m_inside = 0;             ///< home vectors in a row that say "here"
   int m_reversals = 0;          ///< swings on the same spot
   int m_retreats = 0;
-  bool m_aligned = false; ///< stands as the place was seen
+  bool m_settling = false; ///< distances are metres then: the way there has told their scale
+  bool m_aligned = false;  ///< stands as the place was seen
 };
 
 } // namespace homeward
