@@ -15,7 +15,7 @@ void RangeScale::add(const Eigen::Vector2d &oMirror, double oBearing, double pro
 {
   constexpr std::size_t kViews = 30;
   constexpr double kMoved = 0.08; // metres: views from one place tell nothing but their noise
-  constexpr double kNear = 0.5; // proxies beyond grow more slowly than the distance
+  constexpr double kNear = 0.5;   // proxies beyond grow more slowly than the distance
   if (proxy > kNear || weight <= 0.0) {
     return;
   }
