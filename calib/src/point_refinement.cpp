@@ -3,6 +3,7 @@
 
 #include "symmetric_eigen.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>
 

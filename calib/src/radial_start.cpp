@@ -66,10 +66,9 @@ RadialRow radialRows(const Centred &centred, const BoardView &view, const Eigen:
                      double &rms)
 {
   using Square = Eigen::Matrix<double, 8, 8>;
-  const std::vector<Eigen::Index> unknown = centred.flat
-                                                ? std::vector<Eigen::Index>{0, 1, 3, 4, 5, 7}
-                                                : std::vector<Eigen::Index>{0, 1, 2, 3, 4, 5, 6, 7};
-  const auto n = std::ssize(unknown);
+  const Eigen::VectorXi unknown = centred.flat ? Eigen::VectorXi{{0, 1, 3, 4, 5, 7}}
+                                               : Eigen::VectorXi{{0, 1, 2, 3, 4, 5, 6, 7}};
+  const Eigen::Index n = unknown.size();
   RadialRow h = RadialRow::Zero();
   std::vector<double> weights(view.pixels.size(), 1.0);
   constexpr int kRounds = 2;
