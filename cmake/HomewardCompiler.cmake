@@ -20,6 +20,9 @@ set(HOMEWARD_SANITIZE "" CACHE STRING "Sanitizers for every target, for example 
 if(HOMEWARD_SANITIZE)
   add_compile_options(-fsanitize=${HOMEWARD_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer -O1 -g1) # -O2 -g compiles three times as long
+  if(HOMEWARD_SANITIZE MATCHES "address") # it sees these two itself
+    add_compile_options(-fno-sanitize=null,object-size)
+  endif()
   add_link_options(-fsanitize=${HOMEWARD_SANITIZE})
 endif()
 
@@ -36,6 +39,6 @@ target_compile_options(homeward_warnings INTERFACE
 add_library(homeward_precompiled OBJECT ${CMAKE_SOURCE_DIR}/cmake/precompiled.cpp)
 target_link_libraries(homeward_precompiled PRIVATE homeward_warnings Eigen3::Eigen opencv_core opencv_imgproc)
 target_precompile_headers(homeward_precompiled PRIVATE
-  <Eigen/Eigenvalues> <Eigen/Geometry> <opencv2/core.hpp> <opencv2/imgproc.hpp>
+  <Eigen/Geometry> <opencv2/core.hpp> <opencv2/imgproc.hpp>
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <span>
   <string> <vector>)

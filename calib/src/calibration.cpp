@@ -4,11 +4,11 @@
 #include "findings.h"
 #include "robust_fit.h"
 #include "starting.h"
-#include "symmetric_eigen.h"
 
 #include <homeward/calib/convert.h>
 #include <homeward/camera/camera_models.h>
 #include <homeward/core/error.h>
+#include <homeward/core/symmetric_eigen.h>
 
 #include <Eigen/LU>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "findings.h"
 
-#include "symmetric_eigen.h"
-
 #include <homeward/calib/radial_start.h>
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
+#include <homeward/core/symmetric_eigen.h>
 
 #include <algorithm>
 #include <cmath>

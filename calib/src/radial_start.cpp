@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/calib/radial_start.h>
 
-#include "symmetric_eigen.h"
+#include <homeward/core/symmetric_eigen.h>
 
 #include <Eigen/Geometry>
 

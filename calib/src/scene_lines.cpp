@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene_lines.h"
 
-#include "symmetric_eigen.h"
-
 #include <homeward/core/angle.h>
+#include <homeward/core/symmetric_eigen.h>
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/viewer/map_layout.h>
 
+#include <homeward/core/symmetric_eigen.h>
 #include <homeward/topology/planner.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -40,15 +41,15 @@ Points start(const Eigen::MatrixXd &distances)
   const Eigen::MatrixXd centring = Eigen::MatrixXd::Identity(n, n) -
                                    Eigen::MatrixXd::Constant(n, n, 1.0 / static_cast<double>(n));
   const Eigen::MatrixXd gram = -0.5 * centring * distances.cwiseAbs2() * centring;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+  const SymmetricEigen eigen = symmetricEigen(gram);
   Points points = Points::Zero(n, 2);
   for (Eigen::Index axis = 0; axis < std::min<Eigen::Index>(2, n); ++axis) {
     const Eigen::Index largest = n - 1 - axis;
-    Eigen::VectorXd vector = solver.eigenvectors().col(largest);
+    Eigen::VectorXd vector = eigen.vectors.col(largest);
     Eigen::Index peak = 0;
     vector.cwiseAbs().maxCoeff(&peak);
     vector *= vector[peak] < 0.0 ? -1.0 : 1.0;
-    points.col(axis) = vector * std::sqrt(std::max(0.0, solver.eigenvalues()[largest]));
+    points.col(axis) = vector * std::sqrt(std::max(0.0, eigen.values[largest]));
   }
   constexpr double kGoldenAngle = 2.399963229728653;
   for (Eigen::Index i = 0; i < n; ++i) {

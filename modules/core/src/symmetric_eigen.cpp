@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "symmetric_eigen.h"
+#include <homeward/core/symmetric_eigen.h>
 
 #include <Eigen/Eigenvalues>
 
