@@ -6,7 +6,6 @@
 
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -85,30 +84,30 @@ void makeDataSet(const DataSetArguments &arguments)
 
 } // namespace
 
-void addDataSetCommand(CLI::App &evaluate, int &status)
+void addDataSetCommand(CliCommand evaluate)
 {
   auto arguments = std::make_shared<DataSetArguments>();
-  CLI::App *command =
-      evaluate.add_subcommand("data-set", "Write pictures of a world and where they were taken");
-  command->footer("Example: homeward evaluate data-set --world house.world --spacing 0.6 "
-                  "--lights day night -o house");
-  addSimulationArguments(*command, arguments->simulation);
-  command->remove_option(command->get_option("--light"));
-  command->add_option("-o,--output", arguments->output, "Folder to write")->required();
-  command->add_option("--lights", arguments->lights, "Light presets, each at the same places")
-      ->capture_default_str();
-  command->add_option("--spacing", arguments->spacing, "Metres between places of a grid")
-      ->check(CLI::Range(0.05, 20.0))
-      ->capture_default_str();
-  command->add_option("--count", arguments->count, "Random places instead of a grid, so many")
-      ->check(CLI::Range(1, 100000));
-  command->add_flag("--exact-optics", arguments->exactOptics,
-                    "The mirror is exactly as the camera file says");
-  command->add_flag("--gray", arguments->gray, "Gray instead of colour");
-  command->add_option("--json", arguments->json, "Write a summary as JSON (- standard output)");
-  command->callback([arguments, &status] {
+  CliCommand command =
+      evaluate.command("data-set", "Write pictures of a world and where they were taken");
+  command.examples("Example: homeward evaluate data-set --world house.world --spacing 0.6 "
+                   "--lights day night -o house");
+  addSimulationArguments(command, arguments->simulation);
+  command.remove("--light");
+  command.option("-o,--output", arguments->output, "Folder to write").required();
+  command.option("--lights", arguments->lights, "Light presets, each at the same places")
+      .showDefault();
+  command.option("--spacing", arguments->spacing, "Metres between places of a grid")
+      .between(0.05, 20.0)
+      .showDefault();
+  command.option("--count", arguments->count, "Random places instead of a grid, so many")
+      .between(1, 100000);
+  command.flag("--exact-optics", arguments->exactOptics,
+               "The mirror is exactly as the camera file says");
+  command.flag("--gray", arguments->gray, "Gray instead of colour");
+  command.option("--json", arguments->json, "Write a summary as JSON (- standard output)");
+  command.run([arguments] {
     makeDataSet(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

@@ -7,7 +7,6 @@
 #include <homeward/evaluation/arrival_trials.h>
 #include <homeward/viewer/home_vector_picture.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -141,43 +140,41 @@ void evaluateArrival(const ArrivalArguments &arguments)
 
 } // namespace
 
-void addEvaluateArrivalCommand(CLI::App &evaluate, int &status)
+void addEvaluateArrivalCommand(CliCommand evaluate)
 {
   auto arguments = std::make_shared<ArrivalArguments>();
-  CLI::App *command = evaluate.add_subcommand("arrival", "Drives home by sight, to their end");
-  command->footer("Example: homeward evaluate arrival --world house.world --runs 200 "
-                  "--picture failures.png --json arrival.json");
-  addSimulationArguments(*command, arguments->simulation);
-  command->remove_option(command->get_option("--light"));
-  command->remove_option(command->get_option("--start"));
-  command->add_option("--runs", arguments->options.runs, "Drives")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command->add_option("--farthest", arguments->options.farthest, "Metres from home, at most")
-      ->check(CLI::Range(0.5, 10.0))
-      ->capture_default_str();
-  command->add_option("--light-map", arguments->lightMap, "Light when the homes were seen")
-      ->capture_default_str();
-  command->add_option("--light-now", arguments->lightNow, "Light when the robot drives home")
-      ->capture_default_str();
-  command->add_option("--homing", arguments->homing, "minwarping or hiss")
-      ->check(CLI::IsMember({"minwarping", "hiss"}))
-      ->capture_default_str();
-  command->add_option("--mirror-ahead", arguments->mirrorAhead,
-                      "Metres that the mirror stands ahead of where the robot file has it");
-  command->add_option("--mirror-yaw", arguments->mirrorYawDegrees,
-                      "Degrees that it is turned to the left");
+  CliCommand command = evaluate.command("arrival", "Drives home by sight, to their end");
+  command.examples("Example: homeward evaluate arrival --world house.world --runs 200 "
+                   "--picture failures.png --json arrival.json");
+  addSimulationArguments(command, arguments->simulation);
+  command.remove("--light");
+  command.remove("--start");
+  command.option("--runs", arguments->options.runs, "Drives").between(1, 100000).showDefault();
+  command.option("--farthest", arguments->options.farthest, "Metres from home, at most")
+      .between(0.5, 10.0)
+      .showDefault();
+  command.option("--light-map", arguments->lightMap, "Light when the homes were seen")
+      .showDefault();
+  command.option("--light-now", arguments->lightNow, "Light when the robot drives home")
+      .showDefault();
+  command.option("--homing", arguments->homing, "minwarping or hiss")
+      .oneOf({"minwarping", "hiss"})
+      .showDefault();
+  command.option("--mirror-ahead", arguments->mirrorAhead,
+                 "Metres that the mirror stands ahead of where the robot file has it");
+  command.option("--mirror-yaw", arguments->mirrorYawDegrees,
+                 "Degrees that it is turned to the left");
   command
-      ->add_option("--proxy-factor", arguments->options.proxyFactor,
-                   "Distances come out so many times too large")
-      ->check(CLI::Range(0.01, 100.0))
-      ->capture_default_str();
-  command->add_option("--picture", arguments->picture,
-                      "Draw the drives that did not arrive, .svg or .png");
-  command->add_option("--json", arguments->json, "Write all drives as JSON (- standard output)");
-  command->callback([arguments, &status] {
+      .option("--proxy-factor", arguments->options.proxyFactor,
+              "Distances come out so many times too large")
+      .between(0.01, 100.0)
+      .showDefault();
+  command.option("--picture", arguments->picture,
+                 "Draw the drives that did not arrive, .svg or .png");
+  command.option("--json", arguments->json, "Write all drives as JSON (- standard output)");
+  command.run([arguments] {
     evaluateArrival(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

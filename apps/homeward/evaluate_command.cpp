@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 
-#include <CLI/CLI.hpp>
-
 namespace homeward
 {
 
-void addEvaluateCommand(CLI::App &app, int &status)
+void addEvaluateCommand(CliCommand app)
 {
-  CLI::App *evaluate = app.add_subcommand("evaluate", "Measure against the truth");
-  evaluate->require_subcommand(1);
-  addEvaluateHomingCommand(*evaluate, status);
-  addEvaluateArrivalCommand(*evaluate, status);
-  addEvaluatePlacesCommand(*evaluate, status);
-  addDataSetCommand(*evaluate, status);
+  CliCommand evaluate = app.command("evaluate", "Measure against the truth");
+  evaluate.requireCommand();
+  addEvaluateHomingCommand(evaluate);
+  addEvaluateArrivalCommand(evaluate);
+  addEvaluatePlacesCommand(evaluate);
+  addDataSetCommand(evaluate);
 }
 
 } // namespace homeward

@@ -9,7 +9,6 @@
 #include <homeward/evaluation/rendered_homing.h>
 #include <homeward/viewer/home_vector_picture.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -186,35 +185,34 @@ void evaluateHoming(const HomingArguments &arguments)
 
 } // namespace
 
-void addEvaluateHomingCommand(CLI::App &evaluate, int &status)
+void addEvaluateHomingCommand(CliCommand evaluate)
 {
   auto arguments = std::make_shared<HomingArguments>();
-  CLI::App *command = evaluate.add_subcommand("homing", "Errors of home vectors and compasses");
-  command->footer("Example: homeward evaluate homing --world house.world --light-map day "
-                  "--light-now night --picture arrows.png --json homing.json");
-  addSimulationArguments(*command, arguments->simulation);
-  command->remove_option(command->get_option("--light"));
-  command->add_option("--data", arguments->data, "Data set folder, instead of a world")
-      ->excludes("--world");
-  command->add_option("--light-map", arguments->lightMap, "Light when the homes were seen")
-      ->capture_default_str();
-  command->add_option("--light-now", arguments->lightNow, "Light when home is looked for")
-      ->capture_default_str();
-  command->add_option("--pairs", arguments->pairs, "Pairs at least, while there are any")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  command->add_option("--spacing", arguments->spacing, "Metres between views around a home")
-      ->check(CLI::Range(0.1, 2.0))
-      ->capture_default_str();
-  command->add_option("--methods", arguments->methods, "What is compared")
-      ->check(CLI::IsMember(homingMethods()))
-      ->capture_default_str();
-  command->add_option("--picture", arguments->picture,
-                      "Draw the first method's home vectors around six homes, .svg or .png");
-  command->add_option("--json", arguments->json, "Write the figures as JSON (- standard output)");
-  command->callback([arguments, &status] {
+  CliCommand command = evaluate.command("homing", "Errors of home vectors and compasses");
+  command.examples("Example: homeward evaluate homing --world house.world --light-map day "
+                   "--light-now night --picture arrows.png --json homing.json");
+  addSimulationArguments(command, arguments->simulation);
+  command.remove("--light");
+  command.option("--data", arguments->data, "Data set folder, instead of a world")
+      .excludes("--world");
+  command.option("--light-map", arguments->lightMap, "Light when the homes were seen")
+      .showDefault();
+  command.option("--light-now", arguments->lightNow, "Light when home is looked for").showDefault();
+  command.option("--pairs", arguments->pairs, "Pairs at least, while there are any")
+      .between(1, 1000000)
+      .showDefault();
+  command.option("--spacing", arguments->spacing, "Metres between views around a home")
+      .between(0.1, 2.0)
+      .showDefault();
+  command.option("--methods", arguments->methods, "What is compared")
+      .oneOf(homingMethods())
+      .showDefault();
+  command.option("--picture", arguments->picture,
+                 "Draw the first method's home vectors around six homes, .svg or .png");
+  command.option("--json", arguments->json, "Write the figures as JSON (- standard output)");
+  command.run([arguments] {
     evaluateHoming(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

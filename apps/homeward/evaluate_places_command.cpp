@@ -8,7 +8,6 @@
 #include <homeward/evaluation/place_trial.h>
 #include <homeward/viewer/bar_chart.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -215,45 +214,44 @@ std::vector<std::string> signatureNames()
 
 } // namespace
 
-void addEvaluatePlacesCommand(CLI::App &evaluate, int &status)
+void addEvaluatePlacesCommand(CliCommand evaluate)
 {
   auto arguments = std::make_shared<PlacesArguments>();
   arguments->signatures = signatureNames();
-  CLI::App *command = evaluate.add_subcommand("places", "How well places are recognised");
-  command->footer("Example: homeward evaluate places --world house.world --lights-map day "
-                  "--lights-now night two_lamps --json places.json");
-  addSimulationArguments(*command, arguments->simulation);
-  command->remove_option(command->get_option("--light"));
-  command->add_option("--data", arguments->data, "Data set folder, instead of a world")
-      ->excludes("--world");
-  command->add_option("--lights-map", arguments->lightsMap, "Lights in which places became known")
-      ->capture_default_str();
-  command->add_option("--lights-now", arguments->lightsNow,
-                      "Lights in which they are looked for (default: all)");
-  command->add_option("--spacing", arguments->spacing, "Metres between the known places of a world")
-      ->check(CLI::Range(0.3, 10.0))
-      ->capture_default_str();
-  command->add_option("--queries", arguments->queries, "Random places looked for in a world")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command->add_option("--same", arguments->sameDistance, "Metres within which an answer is right")
-      ->check(CLI::Range(0.05, 100.0))
-      ->capture_default_str();
-  command->add_option("--signatures", arguments->signatures, "What is compared")
-      ->check(CLI::IsMember(signatureNames()))
-      ->capture_default_str();
+  CliCommand command = evaluate.command("places", "How well places are recognised");
+  command.examples("Example: homeward evaluate places --world house.world --lights-map day "
+                   "--lights-now night two_lamps --json places.json");
+  addSimulationArguments(command, arguments->simulation);
+  command.remove("--light");
+  command.option("--data", arguments->data, "Data set folder, instead of a world")
+      .excludes("--world");
+  command.option("--lights-map", arguments->lightsMap, "Lights in which places became known")
+      .showDefault();
+  command.option("--lights-now", arguments->lightsNow,
+                 "Lights in which they are looked for (default: all)");
+  command.option("--spacing", arguments->spacing, "Metres between the known places of a world")
+      .between(0.3, 10.0)
+      .showDefault();
+  command.option("--queries", arguments->queries, "Random places looked for in a world")
+      .between(1, 100000)
+      .showDefault();
+  command.option("--same", arguments->sameDistance, "Metres within which an answer is right")
+      .between(0.05, 100.0)
+      .showDefault();
+  command.option("--signatures", arguments->signatures, "What is compared")
+      .oneOf(signatureNames())
+      .showDefault();
   command
-      ->add_option("--warping", arguments->warping,
-                   "Signatures whose best 20 are ranked again by min-warping")
-      ->check(CLI::IsMember(signatureNames()))
-      ->expected(0, 100)
-      ->capture_default_str();
-  command->add_option("--picture", arguments->picture,
-                      "Draw recall@1 by light and signature, .svg");
-  command->add_option("--json", arguments->json, "Write the figures as JSON (- standard output)");
-  command->callback([arguments, &status] {
+      .option("--warping", arguments->warping,
+              "Signatures whose best 20 are ranked again by min-warping")
+      .oneOf(signatureNames())
+      .count(0, 100)
+      .showDefault();
+  command.option("--picture", arguments->picture, "Draw recall@1 by light and signature, .svg");
+  command.option("--json", arguments->json, "Write the figures as JSON (- standard output)");
+  command.run([arguments] {
     evaluatePlaces(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

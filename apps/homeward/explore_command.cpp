@@ -10,7 +10,6 @@
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/mission/explorer.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -63,8 +62,8 @@ public:
     const Explorer explorer({.forwardDistance = m_arguments.forwardDistance});
     const auto enough = [this] { return seconds() > m_arguments.maxTime; };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
-    const Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),
-                                     &m_file, m_devices.clock, m_counts, enough, onStep);
+    Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),
+                               &m_file, m_devices.clock, m_counts, enough, onStep);
     endProgress();
     if (!m_file.map().nodes().empty()) {
       saveTruth();
@@ -247,31 +246,27 @@ int explore(const ExploreArguments &arguments)
 
 } // namespace
 
-void addExploreCommand(CLI::App &app, int &status)
+void addExploreCommand(CliCommand app)
 {
   auto arguments = std::make_shared<ExploreArguments>();
-  CLI::App *command =
-      app.add_subcommand("explore", "Explore an unknown building and map it by sight");
-  command->footer("Examples: homeward explore --world data/worlds/lab.sdf --map lab.hwm\n"
-                  "          homeward explore --rig my_rig.yaml --map house.hwm");
-  addRobotArguments(*command, arguments->robot);
-  command->add_option("--map", arguments->map, "Map file to write")->required();
-  command
-      ->add_option("--forward-distance", arguments->forwardDistance, "Metres driven before looking")
-      ->check(CLI::Range(0.5, 20.0))
-      ->capture_default_str();
-  command->add_option("--homing", arguments->homing, "minwarping, or hiss as the seed")
-      ->capture_default_str();
-  command
-      ->add_option("--max-time", arguments->maxTime, "Seconds of robot time after which it stops")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_flag("--overwrite", arguments->overwrite, "Replace an existing map");
-  command->add_flag("--resume", arguments->resume, "Go on with an existing map");
-  command->add_flag("--verbose", arguments->verbose,
-                    "Print every decision, and where the robot truly is");
-  command->add_option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
-  command->callback([arguments, &status] { status = explore(*arguments); });
+  CliCommand command = app.command("explore", "Explore an unknown building and map it by sight");
+  command.examples("Examples: homeward explore --world data/worlds/lab.sdf --map lab.hwm\n"
+                   "          homeward explore --rig my_rig.yaml --map house.hwm");
+  addRobotArguments(command, arguments->robot);
+  command.option("--map", arguments->map, "Map file to write").required();
+  command.option("--forward-distance", arguments->forwardDistance, "Metres driven before looking")
+      .between(0.5, 20.0)
+      .showDefault();
+  command.option("--homing", arguments->homing, "minwarping, or hiss as the seed").showDefault();
+  command.option("--max-time", arguments->maxTime, "Seconds of robot time after which it stops")
+      .positive()
+      .showDefault();
+  command.flag("--overwrite", arguments->overwrite, "Replace an existing map");
+  command.flag("--resume", arguments->resume, "Go on with an existing map");
+  command.flag("--verbose", arguments->verbose,
+               "Print every decision, and where the robot truly is");
+  command.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  command.run([arguments] { return explore(*arguments); });
 }
 
 } // namespace homeward

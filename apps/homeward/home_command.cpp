@@ -6,7 +6,6 @@
 #include <homeward/dataset/data_set.h>
 #include <homeward/homing/homing_method.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -71,24 +70,22 @@ void home(const HomeArguments &arguments)
 
 } // namespace
 
-void addHomeCommand(CLI::App &app, int &status)
+void addHomeCommand(CliCommand app)
 {
   auto arguments = std::make_shared<HomeArguments>();
-  CLI::App *command = app.add_subcommand("home", "Way home from two pictures");
-  command->footer("Example: homeward home --current now.jpg --snapshot home.jpg "
-                  "--camera camera.yaml --json -");
-  command->add_option("--current", arguments->current, "Picture taken where the robot is")
-      ->required();
-  command->add_option("--snapshot", arguments->snapshot, "Picture taken at home")->required();
-  CLI::Option_group *layout = command->add_option_group("layout", "What the pictures are");
-  layout->add_option("--camera", arguments->camera, "Mirror pictures: camera file (YAML)");
-  layout->add_option("--panorama", arguments->panorama, "Panoramas: layout file (panorama.yaml)");
-  layout->require_option(1);
-  command->add_option("--method", arguments->method, "minwarping or hiss")->capture_default_str();
-  command->add_option("--json", arguments->json, "Write the answer as JSON (- standard output)");
-  command->callback([arguments, &status] {
+  CliCommand command = app.command("home", "Way home from two pictures");
+  command.examples("Example: homeward home --current now.jpg --snapshot home.jpg "
+                   "--camera camera.yaml --json -");
+  command.option("--current", arguments->current, "Picture taken where the robot is").required();
+  command.option("--snapshot", arguments->snapshot, "Picture taken at home").required();
+  CliCommand layout = command.exactlyOneOf("layout", "What the pictures are");
+  layout.option("--camera", arguments->camera, "Mirror pictures: camera file (YAML)");
+  layout.option("--panorama", arguments->panorama, "Panoramas: layout file (panorama.yaml)");
+  command.option("--method", arguments->method, "minwarping or hiss").showDefault();
+  command.option("--json", arguments->json, "Write the answer as JSON (- standard output)");
+  command.run([arguments] {
     home(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

@@ -8,7 +8,6 @@
 #include <homeward/store/map_file.h>
 #include <homeward/topology/planner.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -162,28 +161,25 @@ void localizeImages(const LocalizeArguments &arguments)
 
 } // namespace
 
-void addLocalizeCommand(CLI::App &app, int &status)
+void addLocalizeCommand(CliCommand app)
 {
   auto arguments = std::make_shared<LocalizeArguments>();
-  CLI::App *command =
-      app.add_subcommand("localize", "Where pictures, taken one after the other, were taken");
-  command->footer("Example: homeward localize --train places --test drive --json -");
-  command->add_option("--train", arguments->train, "Data set folder or map of known places")
-      ->required();
-  command->add_option("--test", arguments->test, "Data set folder, in the order of poses.csv")
-      ->required();
-  command->add_option("--signature", arguments->signature, "How views are compared")
-      ->capture_default_str();
-  CLI::Option *global =
-      command->add_flag("--global", arguments->global, "Start anywhere (the default)");
-  command->add_flag("--local", arguments->local, "Start at the place nearest to the first picture")
-      ->excludes(global);
-  command->add_flag("--published", arguments->published,
-                    "The kernel as published: a distance, not its square, over the variance");
-  command->add_option("--json", arguments->json, "Write the answers as JSON (- standard output)");
-  command->callback([arguments, &status] {
+  CliCommand command =
+      app.command("localize", "Where pictures, taken one after the other, were taken");
+  command.examples("Example: homeward localize --train places --test drive --json -");
+  command.option("--train", arguments->train, "Data set folder or map of known places").required();
+  command.option("--test", arguments->test, "Data set folder, in the order of poses.csv")
+      .required();
+  command.option("--signature", arguments->signature, "How views are compared").showDefault();
+  command.flag("--global", arguments->global, "Start anywhere (the default)");
+  command.flag("--local", arguments->local, "Start at the place nearest to the first picture")
+      .excludes("--global");
+  command.flag("--published", arguments->published,
+               "The kernel as published: a distance, not its square, over the variance");
+  command.option("--json", arguments->json, "Write the answers as JSON (- standard output)");
+  command.run([arguments] {
     localizeImages(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

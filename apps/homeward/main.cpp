@@ -1,55 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli_documents.h"
 #include "command.h"
 
-#include <homeward/core/error.h>
-
-#include <CLI/CLI.hpp>
-#include <opencv2/core.hpp>
-#include <opencv2/core/utils/logger.hpp>
-
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
 
 int main(int argc, char **argv)
 {
-  cv::setNumThreads(1); // results must not depend on how many threads share a sum
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT); // ours is one line
-  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);                           // likewise
-  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is a failed write, with its message
-  CLI::App app{"Visual navigation with a mirror camera."};
-  app.name("homeward");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", HOMEWARD_VERSION);
-  int status = homeward::kExitDone;
-  homeward::addExploreCommand(app, status);
-  homeward::addNavigateCommand(app, status);
-  homeward::addRigCommand(app, status);
-  homeward::addMapCommand(app, status);
-  homeward::addUnwrapCommand(app, status);
-  homeward::addScanCommand(app, status);
-  homeward::addHomeCommand(app, status);
-  homeward::addLocalizeCommand(app, status);
-  homeward::addEvaluateCommand(app, status);
-  if (const auto document = homeward::cliDocument(app, HOMEWARD_VERSION, argc, argv)) {
-    std::fputs(document->c_str(), stdout);
-    return homeward::kExitDone;
-  }
-  try {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError &error) {
-    return app.exit(error) == 0 ? homeward::kExitDone : homeward::kExitUsage;
-  }
-  catch (const homeward::ConfigError &error) {
-    std::fprintf(stderr, "homeward: %s\n", error.what());
-    return homeward::kExitUsage;
-  }
-  catch (const std::exception &error) {
-    std::fprintf(stderr, "homeward: %s\n", error.what());
-    return homeward::kExitFailed;
-  }
-  return status;
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0); // a broken film is our one line
+  homeward::Program program("homeward", "Visual navigation with a mirror camera.");
+  program.requireCommand();
+  homeward::addExploreCommand(program);
+  homeward::addNavigateCommand(program);
+  homeward::addRigCommand(program);
+  homeward::addMapCommand(program);
+  homeward::addUnwrapCommand(program);
+  homeward::addScanCommand(program);
+  homeward::addHomeCommand(program);
+  homeward::addLocalizeCommand(program);
+  homeward::addEvaluateCommand(program);
+  return program.main(argc, argv);
 }

@@ -10,7 +10,6 @@
 #include <homeward/store/map_file.h>
 #include <homeward/viewer/map_picture.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -140,45 +139,43 @@ void exportMap(const MapArguments &arguments)
 
 } // namespace
 
-void addMapCommand(CLI::App &app, int &status)
+void addMapCommand(CliCommand app)
 {
   auto arguments = std::make_shared<MapArguments>();
-  CLI::App *map = app.add_subcommand("map", "Look at a map file");
-  map->require_subcommand(1);
+  CliCommand map = app.command("map", "Look at a map file");
+  map.requireCommand();
 
-  CLI::App *infoCommand = map->add_subcommand("info", "What is in it");
-  infoCommand->footer("Example: homeward map info lab.hwm");
-  infoCommand->add_option("map", arguments->map, "Map file")->required();
-  infoCommand->add_option("--json", arguments->json,
-                          "Write a summary as JSON (- for standard output)");
-  infoCommand->callback([arguments, &status] {
+  CliCommand infoCommand = map.command("info", "What is in it");
+  infoCommand.examples("Example: homeward map info lab.hwm");
+  infoCommand.option("map", arguments->map, "Map file").required();
+  infoCommand.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  infoCommand.run([arguments] {
     info(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 
-  CLI::App *renderCommand =
-      map->add_subcommand("render", "Draw it, over the true floor plan if known");
-  renderCommand->footer("Example: homeward map render lab.hwm -o lab.png");
-  renderCommand->add_option("map", arguments->map, "Map file")->required();
-  renderCommand->add_option("-o,--output", arguments->output, "Picture, .svg or .png");
-  renderCommand->add_option("--world", arguments->world, "World file, where it has moved");
-  renderCommand->callback([arguments, &status] {
+  CliCommand renderCommand = map.command("render", "Draw it, over the true floor plan if known");
+  renderCommand.examples("Example: homeward map render lab.hwm -o lab.png");
+  renderCommand.option("map", arguments->map, "Map file").required();
+  renderCommand.option("-o,--output", arguments->output, "Picture, .svg or .png");
+  renderCommand.option("--world", arguments->world, "World file, where it has moved");
+  renderCommand.run([arguments] {
     render(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 
-  CLI::App *exportCommand = map->add_subcommand("export", "Write it in another form");
-  exportCommand->footer("Example: homeward map export lab.hwm --canonical");
-  exportCommand->add_option("map", arguments->map, "Map file")->required();
-  exportCommand->add_option("--format", arguments->format, "canonical, graphml, dot or json")
-      ->check(CLI::IsMember({"canonical", "graphml", "dot", "json"}));
-  exportCommand->add_flag_callback(
+  CliCommand exportCommand = map.command("export", "Write it in another form");
+  exportCommand.examples("Example: homeward map export lab.hwm --canonical");
+  exportCommand.option("map", arguments->map, "Map file").required();
+  exportCommand.option("--format", arguments->format, "canonical, graphml, dot or json")
+      .oneOf({"canonical", "graphml", "dot", "json"});
+  exportCommand.flag(
       "--canonical", [arguments] { arguments->format = "canonical"; },
       "Short for --format canonical");
-  exportCommand->add_option("-o,--output", arguments->output, "File (default: standard output)");
-  exportCommand->callback([arguments, &status] {
+  exportCommand.option("-o,--output", arguments->output, "File (default: standard output)");
+  exportCommand.run([arguments] {
     exportMap(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

@@ -6,8 +6,6 @@
 
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
-
 namespace homeward
 {
 namespace
@@ -67,15 +65,15 @@ private:
 
 } // namespace
 
-void addRobotArguments(CLI::App &command, RobotArguments &arguments)
+void addRobotArguments(CliCommand command, RobotArguments &arguments)
 {
   addSimulationArguments(command, arguments.simulation);
   command
-      .add_option("--clock-rate", arguments.clockRate,
-                  "The --speed of the pioneer-sim that a real rig names (default: as the rig says)")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--truth", arguments.truth,
-                     "Judge the mission by what a pioneer-sim at this URL knows");
+      .option("--clock-rate", arguments.clockRate,
+              "The --speed of the pioneer-sim that a real rig names (default: as the rig says)")
+      .positive();
+  command.option("--truth", arguments.truth,
+                 "Judge the mission by what a pioneer-sim at this URL knows");
 }
 
 std::unique_ptr<MissionRobot> makeMissionRobot(const RobotArguments &arguments,

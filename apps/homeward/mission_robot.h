@@ -49,7 +49,7 @@ struct RobotArguments
   std::string truth;              ///< URL of what pioneer-sim knows; empty: nothing is known
 };
 
-void addRobotArguments(CLI::App &command, RobotArguments &arguments);
+void addRobotArguments(CliCommand command, RobotArguments &arguments);
 
 /**
  * Connects to the devices that the rig names, or simulates where it names none.

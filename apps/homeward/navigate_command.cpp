@@ -10,7 +10,6 @@
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/mission/navigator.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -137,26 +136,23 @@ int navigate(const NavigateArguments &arguments)
 
 } // namespace
 
-void addNavigateCommand(CLI::App &app, int &status)
+void addNavigateCommand(CliCommand app)
 {
   auto arguments = std::make_shared<NavigateArguments>();
-  CLI::App *command = app.add_subcommand("navigate", "Drive to a node of a map by sight");
-  command->footer("Example: homeward navigate --map lab.hwm --world data/worlds/lab.sdf --to 3\n"
-                  "Without --start or --from the simulated robot stands where it was left.");
-  addRobotArguments(*command, arguments->robot);
-  command->add_option("--map", arguments->map, "Map file")->required();
-  command->add_option("--to", arguments->to, "Node to drive to")->required();
-  command->add_option("--from", arguments->from, "Start at this node's true place, any heading");
-  command->add_option("--homing", arguments->homing, "minwarping, or hiss as the seed")
-      ->capture_default_str();
-  command
-      ->add_option("--max-time", arguments->maxTime,
-                   "Seconds of robot time after which it gives up")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_flag("--verbose", arguments->verbose, "Print every decision");
-  command->add_option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
-  command->callback([arguments, &status] { status = navigate(*arguments); });
+  CliCommand command = app.command("navigate", "Drive to a node of a map by sight");
+  command.examples("Example: homeward navigate --map lab.hwm --world data/worlds/lab.sdf --to 3\n"
+                   "Without --start or --from the simulated robot stands where it was left.");
+  addRobotArguments(command, arguments->robot);
+  command.option("--map", arguments->map, "Map file").required();
+  command.option("--to", arguments->to, "Node to drive to").required();
+  command.option("--from", arguments->from, "Start at this node's true place, any heading");
+  command.option("--homing", arguments->homing, "minwarping, or hiss as the seed").showDefault();
+  command.option("--max-time", arguments->maxTime, "Seconds of robot time after which it gives up")
+      .positive()
+      .showDefault();
+  command.flag("--verbose", arguments->verbose, "Print every decision");
+  command.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  command.run([arguments] { return navigate(*arguments); });
 }
 
 } // namespace homeward

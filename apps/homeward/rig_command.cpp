@@ -5,7 +5,6 @@
 
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -76,25 +75,25 @@ int check(const CheckArguments &arguments)
 
 } // namespace
 
-void addRigCommand(CLI::App &app, int &status)
+void addRigCommand(CliCommand app)
 {
-  CLI::App *rig = app.add_subcommand("rig", "Look after the robot that a rig file names");
-  rig->require_subcommand(1);
+  CliCommand rig = app.command("rig", "Look after the robot that a rig file names");
+  rig.requireCommand();
   auto arguments = std::make_shared<CheckArguments>();
-  CLI::App *command = rig->add_subcommand("check", "Test every device; nothing moves unless asked");
-  command->footer("Example: homeward rig check my_rig.yaml --move");
-  command->add_option("rig", arguments->rig, "Rig file")->required();
+  CliCommand command = rig.command("check", "Test every device; nothing moves unless asked");
+  command.examples("Example: homeward rig check my_rig.yaml --move");
+  command.option("rig", arguments->rig, "Rig file").required();
   command
-      ->add_option("--clock-rate", arguments->clockRate,
-                   "The --speed of a pioneer-sim (default: as the rig says)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--seconds", arguments->seconds, "How long each device is listened to")
-      ->check(CLI::Range(0.5, 600.0))
-      ->capture_default_str();
-  command->add_flag("--move", arguments->move,
-                    "Then turn and drive a hand's width, when you have said yes");
-  command->add_option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
-  command->callback([arguments, &status] { status = check(*arguments); });
+      .option("--clock-rate", arguments->clockRate,
+              "The --speed of a pioneer-sim (default: as the rig says)")
+      .positive();
+  command.option("--seconds", arguments->seconds, "How long each device is listened to")
+      .between(0.5, 600.0)
+      .showDefault();
+  command.flag("--move", arguments->move,
+               "Then turn and drive a hand's width, when you have said yes");
+  command.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  command.run([arguments] { return check(*arguments); });
 }
 
 } // namespace homeward

@@ -8,7 +8,6 @@
 #include <homeward/laser/open_directions.h>
 #include <homeward/viewer/scan_picture.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -88,24 +87,22 @@ void scan(const ScanArguments &arguments)
 
 } // namespace
 
-void addScanCommand(CLI::App &app, int &status)
+void addScanCommand(CliCommand app)
 {
   auto arguments = std::make_shared<ScanArguments>();
-  CLI::App *command = app.add_subcommand("scan", "Open directions of the scans of a CARMEN log");
-  command->footer("Example: homeward scan intel.log.gz --picture scan.png --index 100");
-  command->add_option("log", arguments->log, "CARMEN log, plain or .gz")->required();
-  command->add_option("--json", arguments->json,
-                      "Write every scan's directions as JSON (- for standard output)");
-  command->add_option("--picture", arguments->picture, "Draw one scan, .svg or .png");
-  command->add_option("--index", arguments->index, "Scan to draw, counted from 0")
-      ->capture_default_str();
-  command
-      ->add_option("--forward-distance", arguments->forwardDistance, "Metres a direction is driven")
-      ->check(CLI::Range(0.5, 20.0))
-      ->capture_default_str();
-  command->callback([arguments, &status] {
+  CliCommand command = app.command("scan", "Open directions of the scans of a CARMEN log");
+  command.examples("Example: homeward scan intel.log.gz --picture scan.png --index 100");
+  command.option("log", arguments->log, "CARMEN log, plain or .gz").required();
+  command.option("--json", arguments->json,
+                 "Write every scan's directions as JSON (- for standard output)");
+  command.option("--picture", arguments->picture, "Draw one scan, .svg or .png");
+  command.option("--index", arguments->index, "Scan to draw, counted from 0").showDefault();
+  command.option("--forward-distance", arguments->forwardDistance, "Metres a direction is driven")
+      .between(0.5, 20.0)
+      .showDefault();
+  command.run([arguments] {
     scan(*arguments);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

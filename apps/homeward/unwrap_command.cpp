@@ -6,7 +6,6 @@
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -77,29 +76,27 @@ void unwrap(const UnwrapOptions &options)
 
 } // namespace
 
-void addUnwrapCommand(CLI::App &app, int &status)
+void addUnwrapCommand(CliCommand app)
 {
   auto options = std::make_shared<UnwrapOptions>();
-  CLI::App *command = app.add_subcommand("unwrap", "Turn a mirror picture into a panorama");
-  command->footer("Example: homeward unwrap picture.jpg --camera camera.yaml -o panorama.png");
-  command->add_option("picture", options->picture, "Mirror picture")->required();
-  command->add_option("--camera", options->camera, "Camera file (YAML)")->required();
-  command->add_option("-o,--output", options->output, "Panorama to write")->capture_default_str();
-  command->add_option("--width", options->width, "Columns round the full turn")
-      ->check(CLI::Range(8, 16384))
-      ->capture_default_str();
-  command->add_option("--height", options->height, "Rows")
-      ->check(CLI::Range(2, 8192))
-      ->capture_default_str();
-  command->add_option("--elevations", options->elevations, "Lowest and highest elevation, degrees")
-      ->expected(2)
-      ->check(CLI::Range(-89.9, 89.9))
-      ->capture_default_str();
-  command->add_flag("--gray", options->gray, "Gray instead of colour");
-  command->add_option("--json", options->json, "Write a summary as JSON (- for standard output)");
-  command->callback([options, &status] {
+  CliCommand command = app.command("unwrap", "Turn a mirror picture into a panorama");
+  command.examples("Example: homeward unwrap picture.jpg --camera camera.yaml -o panorama.png");
+  command.option("picture", options->picture, "Mirror picture").required();
+  command.option("--camera", options->camera, "Camera file (YAML)").required();
+  command.option("-o,--output", options->output, "Panorama to write").showDefault();
+  command.option("--width", options->width, "Columns round the full turn")
+      .between(8, 16384)
+      .showDefault();
+  command.option("--height", options->height, "Rows").between(2, 8192).showDefault();
+  command.option("--elevations", options->elevations, "Lowest and highest elevation, degrees")
+      .count(2, 2)
+      .between(-89.9, 89.9)
+      .showDefault();
+  command.flag("--gray", options->gray, "Gray instead of colour");
+  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.run([options] {
     unwrap(*options);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli_documents.h"
+#include "command_line.h"
 #include "mirror_feed.h"
 #include "simulated_pioneer.h"
 #include "simulated_robot.h"
@@ -11,9 +11,7 @@
 #include <homeward/core/error.h>
 #include <homeward/sim/true_optics.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <opencv2/core.hpp>
 
 #include <csignal>
 #include <cstdio>
@@ -33,28 +31,26 @@ struct Arguments
   std::string links;
 };
 
-void addOptions(CLI::App &app, Arguments &arguments)
+void addOptions(CliCommand app, Arguments &arguments)
 {
   addSimulationArguments(app, arguments.simulation);
-  const auto port = CLI::Range(0, 65535);
-  app.add_option("--host", arguments.pioneer.host, "IPv4 address to listen on")
-      ->capture_default_str();
-  app.add_option("--port", arguments.pioneer.port, "TCP port of the robot; 0: the system chooses")
-      ->check(port)
-      ->capture_default_str();
-  app.add_option("--http-port", arguments.httpPort, "Port of the camera; 0: the system chooses")
-      ->check(port)
-      ->capture_default_str();
-  app.add_option("--speed", arguments.pioneer.speed, "Seconds of its life in one of ours")
-      ->check(CLI::Range(0.1, 50.0))
-      ->capture_default_str();
-  app.add_option("--frame-rate", arguments.frameRate, "Pictures a second of its life")
-      ->check(CLI::Range(0.1, 100.0))
-      ->capture_default_str();
-  app.add_option("--subclass", arguments.pioneer.arcos.subclass, "p3at or p3at-sh")
-      ->capture_default_str();
-  app.add_option("--links", arguments.links,
-                 "Folder for the links 'pioneer' and 'lms200' to the serial lines");
+  constexpr int kLastPort = 65535;
+  app.option("--host", arguments.pioneer.host, "IPv4 address to listen on").showDefault();
+  app.option("--port", arguments.pioneer.port, "TCP port of the robot; 0: the system chooses")
+      .between(0, kLastPort)
+      .showDefault();
+  app.option("--http-port", arguments.httpPort, "Port of the camera; 0: the system chooses")
+      .between(0, kLastPort)
+      .showDefault();
+  app.option("--speed", arguments.pioneer.speed, "Seconds of its life in one of ours")
+      .between(0.1, 50.0)
+      .showDefault();
+  app.option("--frame-rate", arguments.frameRate, "Pictures a second of its life")
+      .between(0.1, 100.0)
+      .showDefault();
+  app.option("--subclass", arguments.pioneer.arcos.subclass, "p3at or p3at-sh").showDefault();
+  app.option("--links", arguments.links,
+             "Folder for the links 'pioneer' and 'lms200' to the serial lines");
 }
 
 void link(const std::string &folder, const std::string &name, const std::string &target)
@@ -170,32 +166,17 @@ void simulate(Arguments &arguments)
 
 int main(int argc, char **argv)
 {
-  cv::setNumThreads(1);
   std::signal(SIGPIPE, SIG_IGN);
-  CLI::App app{"A simulated Pioneer behind its real protocols: ARCOS, LMS-200, MJPEG."};
-  app.name("pioneer-sim");
-  app.footer("Example: pioneer-sim --world data/worlds/lab.sdf --port 8101 --http-port 8102\n"
-             "It says in one line of JSON where it can be reached, and runs until it is stopped.");
+  homeward::Program program(
+      "pioneer-sim", "A simulated Pioneer behind its real protocols: ARCOS, LMS-200, MJPEG.");
+  program.examples(
+      "Example: pioneer-sim --world data/worlds/lab.sdf --port 8101 --http-port 8102\n"
+      "It says in one line of JSON where it can be reached, and runs until it is stopped.");
   homeward::Arguments arguments;
-  homeward::addOptions(app, arguments);
-  if (const auto document = homeward::cliDocument(app, HOMEWARD_VERSION, argc, argv)) {
-    std::fputs(document->c_str(), stdout);
-    return 0;
-  }
-  try {
-    app.parse(argc, argv);
+  homeward::addOptions(program, arguments);
+  program.run([&arguments] {
     homeward::simulate(arguments);
-  }
-  catch (const CLI::ParseError &error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  catch (const homeward::ConfigError &error) {
-    std::fprintf(stderr, "pioneer-sim: %s\n", error.what());
-    return 2;
-  }
-  catch (const std::exception &error) {
-    std::fprintf(stderr, "pioneer-sim: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+    return homeward::kExitDone;
+  });
+  return program.main(argc, argv);
 }

@@ -16,7 +16,6 @@
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -212,21 +211,18 @@ void calibrateFromBoards(const CalibrateOptions &options)
 
 } // namespace
 
-void addCalibrateCommand(CLI::App &app, int &status)
+void addCalibrateCommand(CliCommand app)
 {
   auto options = std::make_shared<CalibrateOptions>();
-  app.footer("Example: homeward-calibrate pictures/ --target charuco --columns 8 --rows 6 "
-             "--pitch 45 -o camera.yaml --report report.html");
+  app.examples("Example: homeward-calibrate pictures/ --target charuco --columns 8 --rows 6 "
+               "--pitch 45 -o camera.yaml --report report.html");
   addCalibrateOptions(app, *options);
-  app.callback([&app, options, &status] {
-    if (!app.get_subcommands().empty()) {
-      return;
-    }
+  app.run([options] {
     if (options->pictures.empty() && options->film.empty() && options->live.empty()) {
-      throw CLI::RequiredError("pictures, --film or --live");
+      throw ConfigError("pictures, --film or --live is required; see --help");
     }
     calibrateFromBoards(*options);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

@@ -28,6 +28,6 @@ struct CalibrateOptions
   std::string json;
 };
 
-void addCalibrateOptions(CLI::App &app, CalibrateOptions &options);
+void addCalibrateOptions(CliCommand app, CalibrateOptions &options);
 
 } // namespace homeward

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli_app.h"
+#include "command_line.h"
 
 namespace homeward
 {
 
-/** Exit statuses of every command. */
-inline constexpr int kExitDone = 0;
-inline constexpr int kExitFailed = 1;
-inline constexpr int kExitUsage = 2;
-
 /** Pictures of a target in, camera file and report out; what the program does by itself. */
-void addCalibrateCommand(CLI::App &app, int &status);
+void addCalibrateCommand(CliCommand app);
 
 /** The same from pictures of a room. */
-void addQuickCommand(CLI::App &app, int &status);
+void addQuickCommand(CliCommand app);
 
 /** Prints targets to scale. */
-void addTargetCommand(CLI::App &app, int &status);
+void addTargetCommand(CliCommand app);
 
 /** Where the camera sits on the robot. */
-void addMountCommand(CLI::App &app, int &status);
+void addMountCommand(CliCommand app);
 
 /** One camera file from another: formats and models. */
-void addConvertCommand(CLI::App &app, int &status);
+void addConvertCommand(CliCommand app);
 
 } // namespace homeward

@@ -7,7 +7,6 @@
 #include <homeward/camera/camera_models.h>
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -67,40 +66,29 @@ void convert(const ConvertOptions &options)
 
 } // namespace
 
-void addConvertCommand(CLI::App &app, int &status)
+void addConvertCommand(CliCommand app)
 {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App *command =
-      app.add_subcommand("convert", "Convert a camera file to another format or camera model");
-  command->footer("Example: homeward-calibrate convert camera.yaml calib_results.txt --to "
-                  "ocamcalib --model ocam");
-  command->add_option("input", options->input, "Camera file to read")->required();
-  command->add_option("output", options->output, "Camera file to write (- for standard output)")
-      ->required();
-  command->add_option("--from", options->from, "Format to read (what the file looks like)")
-      ->check(CLI::IsMember(cameraFormatNames()));
-  command->add_option("--to", options->to, "Format to write")
-      ->check(CLI::IsMember(cameraFormatNames()))
-      ->capture_default_str();
-  command->add_option("--model", options->model, "Camera model to write (as it is)")
-      ->check(CLI::IsMember(cameraModelNames()));
-  auto *width = command->add_option("--width", options->width, "Picture's, where no file holds it")
-                    ->check(CLI::Range(1, 100000));
-  auto *height =
-      command->add_option("--height", options->height, "Likewise")->check(CLI::Range(1, 100000));
-  width->needs(height);
-  height->needs(width);
-  command->add_option("--json", options->json, "Write a summary as JSON (- for standard output)");
-  command->callback([options, &status] {
-    try {
-      convert(*options);
-      status = kExitDone;
-    }
-    catch (const ConfigError &error) {
-      // What is given is wrong, as a wrong option is.
-      std::fprintf(stderr, "homeward-calibrate: %s\n", error.what());
-      status = kExitUsage;
-    }
+  CliCommand command =
+      app.command("convert", "Convert a camera file to another format or camera model");
+  command.examples("Example: homeward-calibrate convert camera.yaml calib_results.txt --to "
+                   "ocamcalib --model ocam");
+  command.option("input", options->input, "Camera file to read").required();
+  command.option("output", options->output, "Camera file to write (- for standard output)")
+      .required();
+  command.option("--from", options->from, "Format to read (what the file looks like)")
+      .oneOf(cameraFormatNames());
+  command.option("--to", options->to, "Format to write").oneOf(cameraFormatNames()).showDefault();
+  command.option("--model", options->model, "Camera model to write (as it is)")
+      .oneOf(cameraModelNames());
+  CliOption width = command.option("--width", options->width, "Picture's, where no file holds it")
+                        .between(1, 100000);
+  command.option("--height", options->height, "Likewise").between(1, 100000).needs("--width");
+  width.needs("--height");
+  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.run([options] {
+    convert(*options);
+    return kExitDone;
   });
 }
 

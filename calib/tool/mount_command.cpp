@@ -7,7 +7,6 @@
 #include <homeward/core/angle.h>
 #include <homeward/dataset/data_set.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -74,25 +73,24 @@ void calibrateMountFrom(const MountCommandOptions &options)
 
 } // namespace
 
-void addMountCommand(CLI::App &app, int &status)
+void addMountCommand(CliCommand app)
 {
   auto options = std::make_shared<MountCommandOptions>();
-  CLI::App *command = app.add_subcommand(
+  CliCommand command = app.command(
       "mount", "Where the camera sits on the robot, from a turn on the spot and a straight line");
-  command->footer("Example: homeward-calibrate mount drive/ --robot pioneer3at.urdf -o mine.urdf");
+  command.examples("Example: homeward-calibrate mount drive/ --robot pioneer3at.urdf -o mine.urdf");
   command
-      ->add_option("drive", options->drive,
-                   "Data set folder of a short drive: camera.yaml, pictures, and poses.csv with "
-                   "the robot's odometry")
-      ->required();
-  command->add_option("--robot", options->robot, "URDF of the robot that the rig names")
-      ->required();
-  command->add_option("-o,--output", options->output, "URDF to write, with the mirror in its place")
-      ->required();
-  command->add_option("--json", options->json, "Write a summary as JSON (- for standard output)");
-  command->callback([options, &status] {
+      .option("drive", options->drive,
+              "Data set folder of a short drive: camera.yaml, pictures, and poses.csv with "
+              "the robot's odometry")
+      .required();
+  command.option("--robot", options->robot, "URDF of the robot that the rig names").required();
+  command.option("-o,--output", options->output, "URDF to write, with the mirror in its place")
+      .required();
+  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.run([options] {
     calibrateMountFrom(*options);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

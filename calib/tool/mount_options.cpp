@@ -3,8 +3,6 @@
 
 #include <homeward/core/angle.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,14 +30,14 @@ CameraMount MountOptions::mount() const
   return {radians(forwardDegrees), !flipped};
 }
 
-void addMountOptions(CLI::App &command, MountOptions &options)
+void addMountOptions(CliCommand command, MountOptions &options)
 {
   command
-      .add_option("--forward", options.forwardDegrees,
-                  "Direction in the picture that shows straight ahead, degrees, 0 right, -90 up")
-      ->check(CLI::Range(-360.0, 360.0))
-      ->capture_default_str();
-  command.add_flag("--flipped", options.flipped, "The picture is flipped, writing reads normally");
+      .option("--forward", options.forwardDegrees,
+              "Direction in the picture that shows straight ahead, degrees, 0 right, -90 up")
+      .between(-360.0, 360.0)
+      .showDefault();
+  command.flag("--flipped", options.flipped, "The picture is flipped, writing reads normally");
 }
 
 MirrorRing ringOf(const MirrorCircles &mirror, const UnifiedCamera &camera)

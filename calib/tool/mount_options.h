@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli_app.h"
+#include "command_line.h"
 
 #include <homeward/calib/mirror_circles.h>
 #include <homeward/camera/camera_file.h>
@@ -20,7 +20,7 @@ struct MountOptions
 };
 
 /** Adds --forward and --flipped. */
-void addMountOptions(CLI::App &command, MountOptions &options);
+void addMountOptions(CliCommand command, MountOptions &options);
 
 /** The ring of a camera file from the circles in the picture, round the principal point. */
 MirrorRing ringOf(const MirrorCircles &mirror, const UnifiedCamera &camera);

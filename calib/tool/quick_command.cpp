@@ -9,7 +9,6 @@
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -99,27 +98,24 @@ void calibrateQuickly(const QuickOptions &options)
 
 } // namespace
 
-void addQuickCommand(CLI::App &app, int &status)
+void addQuickCommand(CliCommand app)
 {
   auto options = std::make_shared<QuickOptions>();
-  CLI::App *command =
-      app.add_subcommand("quick", "Calibrate without a target, from pictures of a room");
-  command->footer("Example: homeward-calibrate quick room.jpg -o camera.yaml --panorama room.png");
-  command->add_option("pictures", options->pictures, "Pictures, folders or patterns")->required();
-  command->add_option("-o,--output", options->output, "Camera file to write (YAML)")
-      ->capture_default_str();
-  command->add_option("--panorama", options->panorama, "Unwrapped first picture to write");
-  command->add_option("--xi", options->xi, "xi of the mirror, from its data sheet")
-      ->check(CLI::Range(0.3, 3.0));
+  CliCommand command = app.command("quick", "Calibrate without a target, from pictures of a room");
+  command.examples("Example: homeward-calibrate quick room.jpg -o camera.yaml --panorama room.png");
+  command.option("pictures", options->pictures, "Pictures, folders or patterns").required();
+  command.option("-o,--output", options->output, "Camera file to write (YAML)").showDefault();
+  command.option("--panorama", options->panorama, "Unwrapped first picture to write");
+  command.option("--xi", options->xi, "xi of the mirror, from its data sheet").between(0.3, 3.0);
   command
-      ->add_option("--rim-elevation", options->rimDegrees,
-                   "What the rim shows above the horizon, degrees, from its data sheet")
-      ->check(CLI::Range(-60.0, 60.0));
-  addMountOptions(*command, options->mount);
-  command->add_option("--json", options->json, "Write a summary as JSON (- for standard output)");
-  command->callback([options, &status] {
+      .option("--rim-elevation", options->rimDegrees,
+              "What the rim shows above the horizon, degrees, from its data sheet")
+      .between(-60.0, 60.0);
+  addMountOptions(command, options->mount);
+  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.run([options] {
     calibrateQuickly(*options);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

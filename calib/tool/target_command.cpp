@@ -4,7 +4,8 @@
 #include "target_options.h"
 #include "target_print.h"
 
-#include <CLI/CLI.hpp>
+#include <homeward/core/error.h>
+
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -42,26 +43,26 @@ void print(const PrintOptions &options)
 
 } // namespace
 
-void addTargetCommand(CLI::App &app, int &status)
+void addTargetCommand(CliCommand app)
 {
   auto options = std::make_shared<PrintOptions>();
-  CLI::App *command = app.add_subcommand("target", "Print a target to scale");
-  command->footer(
+  CliCommand command = app.command("target", "Print a target to scale");
+  command.examples(
       "Example: homeward-calibrate target --target charuco --columns 8 --rows 6 --pitch "
       "45 --paper a3 --pdf board.pdf\nPrint at 100 %, check the scale of 100 mm, glue it "
       "on something flat.");
-  addTargetOptions(*command, options->target);
-  auto *pdf = command->add_option("--pdf", options->pdf, "PDF to write (- for standard output)");
-  auto *svg = command->add_option("--svg", options->svg, "SVG to write (- for standard output)");
-  command->add_option("--paper", options->paper, "a4, a3, a2, a1, a0 or letter (the target's size)")
-      ->check(CLI::IsMember({"a4", "a3", "a2", "a1", "a0", "letter"}));
-  command->add_option("--json", options->json, "Write a summary as JSON (- for standard output)");
-  command->callback([options, pdf, svg, &status] {
-    if (pdf->count() == 0 && svg->count() == 0) {
-      throw CLI::RequiredError("--pdf or --svg");
+  addTargetOptions(command, options->target);
+  command.option("--pdf", options->pdf, "PDF to write (- for standard output)");
+  command.option("--svg", options->svg, "SVG to write (- for standard output)");
+  command.option("--paper", options->paper, "a4, a3, a2, a1, a0 or letter (the target's size)")
+      .oneOf({"a4", "a3", "a2", "a1", "a0", "letter"});
+  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.run([options] {
+    if (options->pdf.empty() && options->svg.empty()) {
+      throw ConfigError("--pdf or --svg is required; see --help");
     }
     print(*options);
-    status = kExitDone;
+    return kExitDone;
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli_app.h"
+#include "command_line.h"
 
 #include <homeward/calib/target.h>
 
@@ -19,11 +19,11 @@ struct TargetOptions
   double pitch = 30.0; ///< millimetres
   double marker = 0.0; ///< millimetres
 
-  /** @throw CLI::ValidationError for what cannot be printed */
+  /** @throw ConfigError for what cannot be printed */
   Target target() const;
 };
 
 /** Adds --target, --columns, --rows, --pitch and --marker. */
-void addTargetOptions(CLI::App &command, TargetOptions &options);
+void addTargetOptions(CliCommand command, TargetOptions &options);
 
 } // namespace homeward

@@ -70,7 +70,7 @@ TEST(CalibrateMount, saysWhatToDriveAndWritesNothing)
   const std::string mounted = folder / "mounted.urdf";
   const ProgramRun run =
       runProgram("mount " + (folder / "drive") + " --robot " + robotFile() + " -o " + mounted);
-  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.output, HasSubstr("straight line of 0.5 m"));
   EXPECT_FALSE(std::filesystem::exists(mounted));
 }
@@ -85,7 +85,7 @@ TEST(CalibrateMount, refusesARobotWithoutAMirror)
   EXPECT_THAT(runProgram(options).output, HasSubstr("no joint leads to a link mirror"));
   std::ofstream(robot) << "no robot";
   EXPECT_THAT(runProgram(options).output, HasSubstr("is no URDF document"));
-  EXPECT_EQ(runProgram("mount nowhere --robot a -o b").status, 1);
+  EXPECT_EQ(runProgram("mount nowhere --robot a -o b").status, 2);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ TEST(CalibrateTool, saysWhenATargetDoesNotFit)
 {
   const Folder folder;
   const ProgramRun run = runProgram("target --pitch 60 --paper a4 --pdf " + (folder / "b.pdf"));
-  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.output, HasSubstr("paper a4 has 210 mm by 297 mm"));
 }
 
@@ -54,9 +54,9 @@ TEST(CalibrateTool, namesThePictureThatIsWrong)
   cv::imwrite(folder / "a.png", cv::Mat1b(48, 64, uchar{90}));
   cv::imwrite(folder / "b.png", cv::Mat1b(40, 64, uchar{90}));
   EXPECT_THAT(runProgram(folder / "text.png").output, HasSubstr("text.png"));
-  EXPECT_EQ(runProgram(folder / "text.png").status, 1);
+  EXPECT_EQ(runProgram(folder / "text.png").status, 2);
   const ProgramRun sizes = runProgram((folder / "a.png") + " " + (folder / "b.png"));
-  EXPECT_EQ(sizes.status, 1);
+  EXPECT_EQ(sizes.status, 2);
   EXPECT_THAT(sizes.output, HasSubstr("b.png has 64 x 40 pixels"));
   EXPECT_THAT(runProgram(folder / "a.png").output, HasSubstr("check --target"));
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli_app.h"
-
 #include <optional>
 #include <string>
+
+namespace CLI // NOLINT(readability-identifier-naming)
+{
+class App;
+}
 
 namespace homeward
 {

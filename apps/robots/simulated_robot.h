@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli_app.h"
+#include "command_line.h"
 #include "robot_files.h"
 
 #include <homeward/pilot/motion.h>
@@ -26,7 +26,7 @@ struct SimulationArguments
   LaserOptions laser = {}; ///< no option of the command line
 };
 
-void addSimulationArguments(CLI::App &command, SimulationArguments &arguments);
+void addSimulationArguments(CliCommand command, SimulationArguments &arguments);
 
 /** "x,y,heading". @throw ConfigError */
 Pose2 parsePose(const std::string &text);

@@ -8,12 +8,12 @@ namespace homeward
 namespace
 {
 
-std::atomic<bool> g_stop{false};
+std::atomic<bool> stopWanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
 void onSignal(int number)
 {
-  g_stop = true;
+  stopWanted = true;
   if (number == SIGINT) {
     std::signal(number, SIG_DFL); // a second Ctrl-C ends it at once
   }
@@ -26,7 +26,7 @@ const std::atomic<bool> &stopSignal()
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(number, onSignal);
   }
-  return g_stop;
+  return stopWanted;
 }
 
 } // namespace homeward

@@ -5,25 +5,22 @@
 
 #include <homeward/core/error.h>
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 
 namespace homeward
 {
 namespace fs = std::filesystem;
 
-void addSimulationArguments(CLI::App &command, SimulationArguments &arguments)
+void addSimulationArguments(CliCommand command, SimulationArguments &arguments)
 {
-  command.add_option("--world", arguments.world, "SDF world to simulate (default: the laboratory)");
-  command.add_option("--rig", arguments.rig, "Rig file: robot, camera, limits (YAML)");
-  command.add_option("--start", arguments.start, "Start as x,y,heading in metres and radians");
-  command.add_option("--light", arguments.light, "day, twilight, night or two_lamps")
-      ->capture_default_str();
-  command.add_option("--seed", arguments.seed, "Seed of everything random")->capture_default_str();
-  command.add_option("--threads", arguments.threads, "Threads that render pictures")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
+  command.option("--world", arguments.world, "SDF world to simulate (default: the laboratory)");
+  command.option("--rig", arguments.rig, "Rig file: robot, camera, limits (YAML)");
+  command.option("--start", arguments.start, "Start as x,y,heading in metres and radians");
+  command.option("--light", arguments.light, "day, twilight, night or two_lamps").showDefault();
+  command.option("--seed", arguments.seed, "Seed of everything random").showDefault();
+  command.option("--threads", arguments.threads, "Threads that render pictures")
+      .between(1, 64)
+      .showDefault();
 }
 
 Pose2 parsePose(const std::string &text)

@@ -121,7 +121,7 @@ std::string manPage(const CLI::App &program, const std::string &version)
     out << ".SH COMMANDS\n";
     writeSubcommands(program, name, out);
   }
-  out << ".SH EXIT STATUS\n0 done, 1 failed with a reason, 2 bad usage.\n";
+  out << ".SH EXIT STATUS\n0 done, 1 failed with a reason, 2 wrong options or files.\n";
   return out.str();
 }
 
