@@ -4,14 +4,13 @@
 #include <homeward/store/export.h>
 
 #include "test_paths.h"
+#include "xml.h"
 
-#include <boost/property_tree/xml_parser.hpp>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sqlite3.h>
 
 #include <fstream>
-#include <sstream>
 
 namespace homeward
 {
@@ -136,22 +135,16 @@ TEST_F(ExportTest, GraphmlIsWellFormedWhateverTheReasons)
   map.apply(NodeAdded{{{1}, {{{0}, 1.0, 0.1}, {{1}, 2.0, 0.1}}}});
   map.apply(EdgeAdded{{{0}, {0}, {1}, 0.5, std::nullopt}});
 
-  boost::property_tree::ptree tree;
-  std::istringstream text(exportGraphml(map));
-  boost::property_tree::read_xml(text, tree);
-  int nodes = 0;
-  int edges = 0;
-  for (const auto &[tag, element] : tree.get_child("graphml.graph")) {
-    nodes += tag == "node" ? 1 : 0;
-    edges += tag == "edge" ? 1 : 0;
-    if (tag == "edge") {
-      EXPECT_EQ(element.get<std::string>("<xmlattr>.source"), "n0");
-      EXPECT_EQ(element.get<std::string>("<xmlattr>.target"), "n1");
-      EXPECT_EQ(element.get<double>("data"), 0.5);
-    }
-  }
-  EXPECT_EQ(nodes, 2);
-  EXPECT_EQ(edges, 1);
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(exportGraphml(map).c_str()), tinyxml2::XML_SUCCESS);
+  const tinyxml2::XMLElement *graph = document.RootElement()->FirstChildElement("graph");
+  ASSERT_NE(graph, nullptr);
+  EXPECT_EQ(childCount(*graph, "node"), 2);
+  ASSERT_EQ(childCount(*graph, "edge"), 1);
+  const tinyxml2::XMLElement *edge = graph->FirstChildElement("edge");
+  EXPECT_STREQ(edge->Attribute("source"), "n0");
+  EXPECT_STREQ(edge->Attribute("target"), "n1");
+  EXPECT_EQ(edge->FirstChildElement("data")->DoubleText(), 0.5);
   EXPECT_THAT(exportGraphml(map), HasSubstr("0.000000 closed (a &lt; b &amp; &quot;c&quot; )"));
   EXPECT_THAT(exportGraphml(map), HasSubstr("<data key=\"open\">2</data>"));
 }

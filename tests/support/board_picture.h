@@ -57,6 +57,7 @@ public:
       : m_mirror(mirror), m_art(drawTarget(target)), m_paint(rasterise(m_art, kResolution))
   {
     m_rays.reserve(static_cast<std::size_t>(mirror.size.area()) * kSide * kSide);
+    m_room.reserve(m_rays.capacity());
     for (int v = 0; v < mirror.size.height; ++v) {
       for (int u = 0; u < mirror.size.width; ++u) {
         for (int k = 0; k < kSide * kSide; ++k) {
@@ -67,6 +68,7 @@ public:
                                ? rayOf(pixel)
                                : std::optional<Eigen::Vector3d>();
           m_rays.push_back(ray ? ray->cast<float>().eval() : Eigen::Vector3f::Zero().eval());
+          m_room.push_back(room(m_rays.back()));
         }
       }
     }
@@ -76,12 +78,15 @@ public:
   cv::Mat1b paint(const Eigen::Isometry3d &cMo, Random &random, double noise = 3.0) const
   {
     const Eigen::Isometry3f oMc = cMo.inverse().cast<float>();
+    const Eigen::Matrix3f oRc = oMc.linear();
+    const Eigen::Vector3f origin = oMc.translation();
     cv::Mat1f picture(m_mirror.size);
     std::size_t i = 0;
     for (float &level : picture) {
       float sum = 0.0F;
       for (int k = 0; k < kSide * kSide; ++k) {
-        sum += look(m_rays[i++], oMc);
+        sum += paintAt(origin, oRc * m_rays[i]).value_or(m_room[i]);
+        ++i;
       }
       level = sum / (kSide * kSide);
     }
@@ -97,24 +102,30 @@ private:
   static constexpr int kSide = 3;               ///< samples a pixel, each way
   static constexpr float kResolution = 4000.0F; ///< pixels a metre of the paint
 
-  float look(const Eigen::Vector3f &ray, const Eigen::Isometry3f &oMc) const
+  /** The level where a ray of frame o meets the board. */
+  std::optional<float> paintAt(const Eigen::Vector3f &origin,
+                               const Eigen::Vector3f &direction) const
+  {
+    const float along = -origin.z() / direction.z();
+    if (!(along > 0.0F)) {
+      return std::nullopt;
+    }
+    const Eigen::Vector3f hit = origin + along * direction;
+    const float x = (hit.x() + static_cast<float>(m_art.origin.x())) * kResolution;
+    const float y = (hit.y() + static_cast<float>(m_art.origin.y())) * kResolution;
+    if (x >= 0.0F && y >= 0.0F && x < static_cast<float>(m_paint.cols) &&
+        y < static_cast<float>(m_paint.rows)) {
+      return 30.0F + 0.75F * m_paint(static_cast<int>(y), static_cast<int>(x));
+    }
+    return std::nullopt;
+  }
+
+  /** A room: dark tiled floor, bright walls with pilasters, ceiling. */
+  static float room(const Eigen::Vector3f &ray)
   {
     if (ray.isZero()) {
       return 12.0F; // the housing
     }
-    const Eigen::Vector3f direction = oMc.linear() * ray;
-    const Eigen::Vector3f origin = oMc.translation();
-    const float along = -origin.z() / direction.z();
-    if (along > 0.0F) {
-      const Eigen::Vector2f hit = (origin + along * direction).head<2>();
-      const float x = (hit.x() + static_cast<float>(m_art.origin.x())) * kResolution;
-      const float y = (hit.y() + static_cast<float>(m_art.origin.y())) * kResolution;
-      if (x >= 0.0F && y >= 0.0F && x < static_cast<float>(m_paint.cols) &&
-          y < static_cast<float>(m_paint.rows)) {
-        return 30.0F + 0.75F * m_paint(static_cast<int>(y), static_cast<int>(x));
-      }
-    }
-    // A room: dark tiled floor, bright walls with pilasters, ceiling.
     const float azimuth = std::atan2(ray.y(), ray.x());
     const float wall = 120.0F + 25.0F * std::sin(5.0F * azimuth) +
                        (std::sin(23.0F * azimuth) > 0.7F ? 30.0F : 0.0F);
@@ -129,7 +140,8 @@ private:
   Mirror m_mirror;
   TargetArt m_art;
   cv::Mat1b m_paint;
-  std::vector<Eigen::Vector3f> m_rays;
+  std::vector<Eigen::Vector3f> m_rays; ///< zero where there is none
+  std::vector<float> m_room;           ///< what each shows behind the board
 };
 
 /**

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "xml.h"
+
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 #include <homeward/viewer/map_picture.h>
 #include <homeward/viewer/scan_picture.h>
 
-#include <boost/property_tree/xml_parser.hpp>
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
-
-#include <sstream>
 
 namespace homeward
 {
@@ -49,10 +48,9 @@ cv::Point2d middleOf(const cv::Mat &image, const cv::Scalar &colour)
 /** Number of elements of one name in an SVG text, which must be well-formed. */
 int count(const std::string &svg, const std::string &element)
 {
-  boost::property_tree::ptree tree;
-  std::istringstream text(svg);
-  boost::property_tree::read_xml(text, tree);
-  return static_cast<int>(tree.get_child("svg").count(element));
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(svg.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+  return childCount(*document.RootElement(), element);
 }
 
 // Three places on a floor 8 m wide and 4 m high, with a cupboard in its upper left corner:
