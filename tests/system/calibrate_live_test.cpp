@@ -84,7 +84,7 @@ TEST(CalibrateLive, saysWhatIsWrongWithACamera)
 {
   const auto complaint = [](const std::string &camera) {
     const ProgramRun run = runProgram("--live " + camera);
-    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.status, 2);
     return run.output;
   };
   EXPECT_THAT(complaint("kitchen"), HasSubstr("neither /dev/videoN nor the URL"));
