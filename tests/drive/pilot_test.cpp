@@ -39,12 +39,12 @@ private:
 class PilotTest : public testing::Test
 {
 protected:
-  explicit PilotTest(const RobotDescription &robot = testRobot())
+  explicit PilotTest(const RobotDescription &robot = testRobot(), const PilotOptions &options = {})
       : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / "worlds/lab.sdf"))),
         simulator(m_scene, robot, testCamera(), optionsAt({0.0, -2.5, 0.0})),
         camera(simulator.camera()),
         pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, robot, testCamera(),
-              {}, stop)
+              options, stop)
   {}
 
   template <class Answer> Answer ask(const Command &command)
@@ -95,6 +95,21 @@ private:
     robot.rMp.translation().x() += 0.2;
     robot.rMp.rotate(Eigen::AngleAxisd(radians(30.0), Eigen::Vector3d::UnitZ()));
     return robot;
+  }
+};
+
+/** Has no time to settle by sight: steps by odometry do the rest. */
+class SteppingPilotTest : public PilotTest
+{
+protected:
+  SteppingPilotTest() : PilotTest(testRobot(), stepping()) {}
+
+private:
+  static PilotOptions stepping()
+  {
+    PilotOptions options;
+    options.homing.settleSeconds = 0.0;
+    return options;
   }
 };
 
@@ -166,6 +181,16 @@ TEST_F(AskewPilotTest, StandsWhereTheRobotStoodAndNotItsMirror)
   ask<Driven>(DriveDirection{0.4, 1.5});
   EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
   EXPECT_LT(distanceTo(home), 0.1);
+  EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
+}
+
+TEST_F(SteppingPilotTest, StepsOverWhatIsLeftWhenItStands)
+{
+  const Pose2 home = simulator.truth().pose;
+  makeNode(NodeId{0});
+  ask<Driven>(DriveDirection{0.4, 1.5});
+  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.08);
   EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
 }
 

@@ -82,15 +82,15 @@ TEST(CalibrateLive, calibratesWithWhatItHasOnCtrlC)
 
 TEST(CalibrateLive, saysWhatIsWrongWithACamera)
 {
-  const auto complaint = [](const std::string &camera) {
+  const auto expect = [](const std::string &camera, int status, const std::string &words) {
     const ProgramRun run = runProgram("--live " + camera);
-    EXPECT_EQ(run.status, 2);
-    return run.output;
+    EXPECT_EQ(run.status, status) << run.output;
+    EXPECT_THAT(run.output, HasSubstr(words));
   };
-  EXPECT_THAT(complaint("kitchen"), HasSubstr("neither /dev/videoN nor the URL"));
-  EXPECT_THAT(complaint("/dev/video"), HasSubstr("neither /dev/videoN nor the URL"));
-  EXPECT_THAT(complaint("/dev/video987"), HasSubstr("/dev/video987: no such camera"));
-  EXPECT_THAT(complaint("http://127.0.0.1:1/"), HasSubstr("http://127.0.0.1:1/"));
+  expect("kitchen", 2, "neither /dev/videoN nor the URL");
+  expect("/dev/video", 2, "neither /dev/videoN nor the URL");
+  expect("/dev/video987", 2, "/dev/video987: no such camera");
+  expect("http://127.0.0.1:1/", 1, "http://127.0.0.1:1/");
 }
 
 } // namespace
