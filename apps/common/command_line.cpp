@@ -2,6 +2,7 @@
 #include "command_line.h"
 
 #include "cli_documents.h"
+#include "files.h"
 
 #include <homeward/core/error.h>
 
@@ -9,6 +10,7 @@
 #include <opencv2/core/utility.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -73,7 +75,7 @@ CliOption &CliOption::needs(const std::string &option)
 
 CliCommand CliCommand::command(const std::string &name, const std::string &description)
 {
-  return {*m_app->add_subcommand(name, description), *m_status};
+  return {*m_app->add_subcommand(name, description), *m_shared};
 }
 
 void CliCommand::requireCommand()
@@ -102,6 +104,18 @@ template CliOption CliCommand::option(const std::string &, std::vector<std::stri
 template CliOption CliCommand::option(const std::string &, std::vector<double> &,
                                       const std::string &);
 
+CliOption CliCommand::output(const std::string &names, std::string &file,
+                             const std::string &description)
+{
+  m_shared->outputs.push_back(&file);
+  return option(names, file, description);
+}
+
+void CliCommand::json(std::string &file, const std::string &what)
+{
+  output("--json", file, "Write " + what + " as JSON (- for standard output)");
+}
+
 CliOption CliCommand::flag(const std::string &name, bool &value, const std::string &description)
 {
   return CliOption(*m_app->add_flag(name, value, description));
@@ -117,7 +131,7 @@ CliCommand CliCommand::exactlyOneOf(const std::string &name, const std::string &
 {
   CLI::Option_group *group = m_app->add_option_group(name, description);
   group->require_option(1);
-  return {*group, *m_status};
+  return {*group, *m_shared};
 }
 
 void CliCommand::remove(const std::string &option)
@@ -127,21 +141,27 @@ void CliCommand::remove(const std::string &option)
 
 void CliCommand::run(std::function<int()> action)
 {
-  m_app->callback([app = m_app, status = m_status, action = std::move(action)] {
-    if (app->get_subcommands().empty()) {
-      *status = action();
+  m_app->callback([app = m_app, shared = m_shared, action = std::move(action)] {
+    if (!app->get_subcommands().empty()) {
+      return;
     }
+    const auto &outputs = shared->outputs;
+    if (std::any_of(outputs.begin(), outputs.end(),
+                    [](const auto *file) { return *file == "-"; })) {
+      keepStandardOutputForFiles();
+    }
+    shared->status = action();
   });
 }
 
 struct Program::State
 {
   CLI::App app;
-  int status = kExitDone;
+  Shared shared;
 };
 
 Program::Program(std::unique_ptr<State> state)
-    : CliCommand(state->app, state->status), m_state(std::move(state))
+    : CliCommand(state->app, state->shared), m_state(std::move(state))
 {}
 
 Program::Program(const std::string &name, const std::string &description)
@@ -181,7 +201,7 @@ int Program::main(int argc, char **argv)
     complain(error);
     return kExitFailed;
   }
-  return m_state->status;
+  return m_state->shared.status;
 }
 
 } // namespace homeward

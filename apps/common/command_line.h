@@ -48,8 +48,14 @@ private:
 class CliCommand
 {
 public:
-  /** @param status where what has run leaves its exit status */
-  CliCommand(CLI::App &app, int &status) : m_app(&app), m_status(&status) {}
+  /** What all commands of a program share. */
+  struct Shared
+  {
+    int status = kExitDone;                   ///< of what has run
+    std::vector<const std::string *> outputs; ///< files to write
+  };
+
+  CliCommand(CLI::App &app, Shared &shared) : m_app(&app), m_shared(&shared) {}
 
   /** A command of this one. */
   CliCommand command(const std::string &name, const std::string &description);
@@ -68,6 +74,15 @@ public:
   template <typename Value>
   CliOption option(const std::string &names, Value &value, const std::string &description);
 
+  /**
+   * A file to write, where "-" is standard output: what is said goes to standard error then.
+   * @param description ends with what "-" means
+   */
+  CliOption output(const std::string &names, std::string &file, const std::string &description);
+
+  /** `--json FILE`. @param what the JSON holds, such as "a summary" */
+  void json(std::string &file, const std::string &what);
+
   CliOption flag(const std::string &name, bool &value, const std::string &description);
   void flag(const std::string &name, std::function<void()> then, const std::string &description);
 
@@ -85,7 +100,7 @@ protected:
 
 private:
   CLI::App *m_app;
-  int *m_status;
+  Shared *m_shared;
 };
 
 /** A program: its own options, its commands, and what all programs do alike. */

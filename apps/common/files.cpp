@@ -10,10 +10,26 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 namespace homeward
 {
 namespace fs = std::filesystem;
+
+namespace
+{
+
+std::FILE *keptOutput = nullptr; ///< where standard output went at first
+
+}
+
+void keepStandardOutputForFiles()
+{
+  if (keptOutput == nullptr) {
+    keptOutput = ::fdopen(::dup(STDOUT_FILENO), "w");
+    ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+}
 
 fs::path shippedFile(const std::string &name)
 {
@@ -42,7 +58,10 @@ std::string readText(const fs::path &file, const std::string &what)
 void writeText(const std::string &file, const std::string &text)
 {
   if (file == "-") {
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::FILE *out = keptOutput != nullptr ? keptOutput : stdout;
+    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0) {
+      throw RuntimeError("cannot write to standard output");
+    }
     return;
   }
   std::error_code error;

@@ -20,6 +20,10 @@ std::string readText(const std::filesystem::path &file, const std::string &what)
 /** Writes all or nothing; "-" is standard output. @throw RuntimeError naming the file */
 void writeText(const std::string &file, const std::string &text);
 
+/** From now on only writeText() writes to standard output; what is printed goes to standard error.
+ */
+void keepStandardOutputForFiles();
+
 /** A picture, gray or BGR, 8 bits. @throw ConfigError naming the file when it cannot be read */
 cv::Mat readPicture(const std::string &file);
 

@@ -76,10 +76,8 @@ void makeDataSet(const DataSetArguments &arguments)
   json["pictures"] = set.size();
   json["places"] = poses.size();
   writeJson(arguments.json, json);
-  if (arguments.json != "-") {
-    std::printf("%s: %zu pictures at %zu places\n", arguments.output.c_str(), set.size(),
-                poses.size());
-  }
+  std::printf("%s: %zu pictures at %zu places\n", arguments.output.c_str(), set.size(),
+              poses.size());
 }
 
 } // namespace
@@ -104,7 +102,7 @@ void addDataSetCommand(CliCommand evaluate)
   command.flag("--exact-optics", arguments->exactOptics,
                "The mirror is exactly as the camera file says");
   command.flag("--gray", arguments->gray, "Gray instead of colour");
-  command.option("--json", arguments->json, "Write a summary as JSON (- standard output)");
+  command.json(arguments->json, "a summary");
   command.run([arguments] {
     makeDataSet(*arguments);
     return kExitDone;

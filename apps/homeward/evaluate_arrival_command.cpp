@@ -133,9 +133,7 @@ void evaluateArrival(const ArrivalArguments &arguments)
   if (!arguments.picture.empty()) {
     drawFailures(arguments.picture, runs, simulated.simulator().freeSpace().floorPlan());
   }
-  if (arguments.json != "-") {
-    say(runs, score);
-  }
+  say(runs, score);
 }
 
 } // namespace
@@ -171,7 +169,7 @@ void addEvaluateArrivalCommand(CliCommand evaluate)
       .showDefault();
   command.option("--picture", arguments->picture,
                  "Draw the drives that did not arrive, .svg or .png");
-  command.option("--json", arguments->json, "Write all drives as JSON (- standard output)");
+  command.json(arguments->json, "all drives");
   command.run([arguments] {
     evaluateArrival(*arguments);
     return kExitDone;

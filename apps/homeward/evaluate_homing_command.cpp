@@ -151,15 +151,12 @@ void evaluateHoming(const HomingArguments &arguments)
                       {"light_now", arguments.lightNow},
                       {"in_sight", subject.inSight},
                       {"return_ratio_of_truth", returnRatio(task, trueAnswers(task))}};
-  const bool table = arguments.json != "-";
-  if (table) {
-    std::printf("%s to %s, %zu pairs, %zu views; following the truth returns %.2f\n",
-                arguments.lightMap.c_str(), arguments.lightNow.c_str(), task.pairs.size(),
-                task.viewPoses.size(), pair["return_ratio_of_truth"].get<double>());
-    std::printf("%-15s   mean median >90deg%%  -tenth  >90deg%% return compass  median unanswered"
-                "      ms\n",
-                "degrees");
-  }
+  std::printf("%s to %s, %zu pairs, %zu views; following the truth returns %.2f\n",
+              arguments.lightMap.c_str(), arguments.lightNow.c_str(), task.pairs.size(),
+              task.viewPoses.size(), pair["return_ratio_of_truth"].get<double>());
+  std::printf("%-15s   mean median >90deg%%  -tenth  >90deg%% return compass  median unanswered"
+              "      ms\n",
+              "degrees");
   bool drawn = arguments.picture.empty();
   for (const std::string &method : arguments.methods) {
     showProgress(method);
@@ -167,9 +164,7 @@ void evaluateHoming(const HomingArguments &arguments)
     const HomingScore score = scoreHoming(task, answers);
     pair["methods"][method] = jsonOf(answers, score);
     endProgress();
-    if (table) {
-      printScore(answers, score);
-    }
+    printScore(answers, score);
     if (!drawn && answers.givesDirection) {
       drawPicture(arguments, subject, answers);
       drawn = true;
@@ -209,7 +204,7 @@ void addEvaluateHomingCommand(CliCommand evaluate)
       .showDefault();
   command.option("--picture", arguments->picture,
                  "Draw the first method's home vectors around six homes, .svg or .png");
-  command.option("--json", arguments->json, "Write the figures as JSON (- standard output)");
+  command.json(arguments->json, "the figures");
   command.run([arguments] {
     evaluateHoming(*arguments);
     return kExitDone;

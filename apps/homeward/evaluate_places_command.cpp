@@ -119,13 +119,10 @@ nlohmann::json evaluatePair(const PlacesArguments &arguments, const PlaceViews &
   options.sameDistance = arguments.sameDistance;
   options.threads = arguments.simulation.threads;
   const PlaceTrial trial(known, queries, options);
-  const bool table = arguments.json != "-";
   nlohmann::json signatures;
   const auto add = [&](const std::string &name, const PlaceFigures &figures) {
     signatures[name] = jsonOf(figures);
-    if (table) {
-      printFigures(name, figures);
-    }
+    printFigures(name, figures);
   };
   for (const std::string &signature : arguments.signatures) {
     add(signature, trial.bySignature(parseSignatureKind(signature)));
@@ -182,13 +179,11 @@ void evaluatePlaces(const PlacesArguments &arguments)
       requireLight(subject, lightNow);
       const PlaceViews &known = subject.known.at(lightMap);
       const PlaceViews &queries = subject.queriesOf(lightNow);
-      if (arguments.json != "-") {
-        std::printf("%s to %s: %zu known views, %zu looked for, right within %.2f m\n",
-                    lightMap.c_str(), lightNow.c_str(), known.poses.size(), queries.poses.size(),
-                    arguments.sameDistance);
-        std::printf("%-22s %6s %6s %6s %9s %8s %7s %10s\n", "", "@1 %", "@5 %", "@20 %", "@full %",
-                    "auc_pr", "bytes", "us/query");
-      }
+      std::printf("%s to %s: %zu known views, %zu looked for, right within %.2f m\n",
+                  lightMap.c_str(), lightNow.c_str(), known.poses.size(), queries.poses.size(),
+                  arguments.sameDistance);
+      std::printf("%-22s %6s %6s %6s %9s %8s %7s %10s\n", "", "@1 %", "@5 %", "@20 %", "@full %",
+                  "auc_pr", "bytes", "us/query");
       json["light_pairs"].push_back({{"light_map", lightMap},
                                      {"light_now", lightNow},
                                      {"known", known.poses.size()},
@@ -248,7 +243,7 @@ void addEvaluatePlacesCommand(CliCommand evaluate)
       .count(0, 100)
       .showDefault();
   command.option("--picture", arguments->picture, "Draw recall@1 by light and signature, .svg");
-  command.option("--json", arguments->json, "Write the figures as JSON (- standard output)");
+  command.json(arguments->json, "the figures");
   command.run([arguments] {
     evaluatePlaces(*arguments);
     return kExitDone;

@@ -265,7 +265,7 @@ void addExploreCommand(CliCommand app)
   command.flag("--resume", arguments->resume, "Go on with an existing map");
   command.flag("--verbose", arguments->verbose,
                "Print every decision, and where the robot truly is");
-  command.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  command.json(arguments->json, "a summary");
   command.run([arguments] { return explore(*arguments); });
 }
 

@@ -60,12 +60,10 @@ void home(const HomeArguments &arguments)
   json["heading_change_rad"] = found->headingChange;
   json["confidence"] = found->confidence;
   writeJson(arguments.json, json);
-  if (arguments.json != "-") {
-    std::printf("direction %.1f deg (left is positive), distance proxy %.2f, heading change %.1f "
-                "deg, confidence %.2f\n",
-                degrees(found->direction), found->distanceProxy, degrees(found->headingChange),
-                found->confidence);
-  }
+  std::printf("direction %.1f deg (left is positive), distance proxy %.2f, heading change %.1f "
+              "deg, confidence %.2f\n",
+              degrees(found->direction), found->distanceProxy, degrees(found->headingChange),
+              found->confidence);
 }
 
 } // namespace
@@ -82,7 +80,7 @@ void addHomeCommand(CliCommand app)
   layout.option("--camera", arguments->camera, "Mirror pictures: camera file (YAML)");
   layout.option("--panorama", arguments->panorama, "Panoramas: layout file (panorama.yaml)");
   command.option("--method", arguments->method, "minwarping or hiss").showDefault();
-  command.option("--json", arguments->json, "Write the answer as JSON (- standard output)");
+  command.json(arguments->json, "the answer");
   command.run([arguments] {
     home(*arguments);
     return kExitDone;

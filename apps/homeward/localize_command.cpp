@@ -176,7 +176,7 @@ void addLocalizeCommand(CliCommand app)
       .excludes("--global");
   command.flag("--published", arguments->published,
                "The kernel as published: a distance, not its square, over the variance");
-  command.option("--json", arguments->json, "Write the answers as JSON (- standard output)");
+  command.json(arguments->json, "the answers");
   command.run([arguments] {
     localizeImages(*arguments);
     return kExitDone;

@@ -148,7 +148,7 @@ void addMapCommand(CliCommand app)
   CliCommand infoCommand = map.command("info", "What is in it");
   infoCommand.examples("Example: homeward map info lab.hwm");
   infoCommand.option("map", arguments->map, "Map file").required();
-  infoCommand.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  infoCommand.json(arguments->json, "a summary");
   infoCommand.run([arguments] {
     info(*arguments);
     return kExitDone;
@@ -172,7 +172,7 @@ void addMapCommand(CliCommand app)
   exportCommand.flag(
       "--canonical", [arguments] { arguments->format = "canonical"; },
       "Short for --format canonical");
-  exportCommand.option("-o,--output", arguments->output, "File (default: standard output)");
+  exportCommand.output("-o,--output", arguments->output, "File (default: standard output)");
   exportCommand.run([arguments] {
     exportMap(*arguments);
     return kExitDone;

@@ -151,7 +151,7 @@ void addNavigateCommand(CliCommand app)
       .positive()
       .showDefault();
   command.flag("--verbose", arguments->verbose, "Print every decision");
-  command.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  command.json(arguments->json, "a summary");
   command.run([arguments] { return navigate(*arguments); });
 }
 

@@ -92,7 +92,7 @@ void addRigCommand(CliCommand app)
       .showDefault();
   command.flag("--move", arguments->move,
                "Then turn and drive a hand's width, when you have said yes");
-  command.option("--json", arguments->json, "Write a summary as JSON (- for standard output)");
+  command.json(arguments->json, "a summary");
   command.run([arguments] { return check(*arguments); });
 }
 

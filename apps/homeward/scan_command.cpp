@@ -76,13 +76,10 @@ void scan(const ScanArguments &arguments)
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = wall.count();
   writeJson(arguments.json, json);
-  if (arguments.json != "-") {
-    std::printf("%s: scans %zu, odometry lines %zu, open directions %zu (%.1f a scan)\n",
-                arguments.log.c_str(), log.scans.size(), log.odometryLines, found,
-                log.scans.empty()
-                    ? 0.0
-                    : static_cast<double>(found) / static_cast<double>(log.scans.size()));
-  }
+  std::printf(
+      "%s: scans %zu, odometry lines %zu, open directions %zu (%.1f a scan)\n",
+      arguments.log.c_str(), log.scans.size(), log.odometryLines, found,
+      log.scans.empty() ? 0.0 : static_cast<double>(found) / static_cast<double>(log.scans.size()));
 }
 
 } // namespace
@@ -93,8 +90,7 @@ void addScanCommand(CliCommand app)
   CliCommand command = app.command("scan", "Open directions of the scans of a CARMEN log");
   command.examples("Example: homeward scan intel.log.gz --picture scan.png --index 100");
   command.option("log", arguments->log, "CARMEN log, plain or .gz").required();
-  command.option("--json", arguments->json,
-                 "Write every scan's directions as JSON (- for standard output)");
+  command.json(arguments->json, "every scan's directions");
   command.option("--picture", arguments->picture, "Draw one scan, .svg or .png");
   command.option("--index", arguments->index, "Scan to draw, counted from 0").showDefault();
   command.option("--forward-distance", arguments->forwardDistance, "Metres a direction is driven")

@@ -93,7 +93,7 @@ void addUnwrapCommand(CliCommand app)
       .between(-89.9, 89.9)
       .showDefault();
   command.flag("--gray", options->gray, "Gray instead of colour");
-  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.json(options->json, "a summary");
   command.run([options] {
     unwrap(*options);
     return kExitDone;

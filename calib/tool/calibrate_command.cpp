@@ -171,11 +171,9 @@ void writeReport(const std::string &file, const FoundBoards &found, const Target
 
 void say(const FoundBoards &found, const Calibration &calibration, const CalibrateOptions &options)
 {
-  if (options.json != "-" && options.output != "-" && options.report != "-") {
-    std::printf("%zu of %zu boards found; rms %.3f px, %.3f px without %d outliers; wrote %s\n",
-                found.views.views.size(), found.tried, calibration.rms, calibration.robustRms,
-                calibration.outliers, options.output.c_str());
-  }
+  std::printf("%zu of %zu boards found; rms %.3f px, %.3f px without %d outliers; wrote %s\n",
+              found.views.views.size(), found.tried, calibration.rms, calibration.robustRms,
+              calibration.outliers, options.output.c_str());
   for (const std::string &missed : found.missed) {
     std::fprintf(stderr, "homeward-calibrate: no board in %s\n", missed.c_str());
   }

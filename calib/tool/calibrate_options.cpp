@@ -23,9 +23,9 @@ void addCalibrateOptions(CliCommand app, CalibrateOptions &options)
   app.option("--threads", options.threads, "Pictures searched at a time; changes no result")
       .between(1, 64)
       .showDefault();
-  app.option("-o,--output", options.output, "Camera file to write (YAML)").showDefault();
-  app.option("--report", options.report, "Report to write (HTML, one file)");
-  app.option("--json", options.json, "Write a summary as JSON (- for standard output)");
+  app.output("-o,--output", options.output, "Camera file to write (YAML)").showDefault();
+  app.output("--report", options.report, "Report to write (HTML, one file)");
+  app.json(options.json, "a summary");
 }
 
 } // namespace homeward

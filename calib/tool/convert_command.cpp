@@ -53,11 +53,9 @@ void convert(const ConvertOptions &options)
   json["largest_px"] = fit.largest;
   json["unseen_share"] = fit.unseen;
   writeJson(options.json, json);
-  if (options.json != "-" && options.output != "-") {
-    std::printf("%s as %s: off by %.4f px in the mean, %.4f px at most; wrote %s\n",
-                model->name().c_str(), fit.model->name().c_str(), fit.mean, fit.largest,
-                options.output.c_str());
-  }
+  std::printf("%s as %s: off by %.4f px in the mean, %.4f px at most; wrote %s\n",
+              model->name().c_str(), fit.model->name().c_str(), fit.mean, fit.largest,
+              options.output.c_str());
   if (fit.unseen > 0.0) {
     std::fprintf(stderr, "homeward-calibrate: %.1f %% of the rays are not seen by the new model\n",
                  100.0 * fit.unseen);
@@ -74,7 +72,7 @@ void addConvertCommand(CliCommand app)
   command.examples("Example: homeward-calibrate convert camera.yaml calib_results.txt --to "
                    "ocamcalib --model ocam");
   command.option("input", options->input, "Camera file to read").required();
-  command.option("output", options->output, "Camera file to write (- for standard output)")
+  command.output("output", options->output, "Camera file to write (- for standard output)")
       .required();
   command.option("--from", options->from, "Format to read (what the file looks like)")
       .oneOf(cameraFormatNames());
@@ -85,7 +83,7 @@ void addConvertCommand(CliCommand app)
                         .between(1, 100000);
   command.option("--height", options->height, "Likewise").between(1, 100000).needs("--width");
   width.needs("--height");
-  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.json(options->json, "a summary");
   command.run([options] {
     convert(*options);
     return kExitDone;

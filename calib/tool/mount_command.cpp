@@ -62,13 +62,11 @@ void calibrateMountFrom(const MountCommandOptions &options)
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = spent.count();
   writeJson(options.json, json);
-  if (options.json != "-" && options.output != "-") {
-    const auto sigma = [&](int i) { return std::sqrt(mount.covariance(i, i)); };
-    std::printf("camera at x %.3f m (+- %.3f), y %.3f m (+- %.3f), yaw %.2f degrees (+- %.2f), by "
-                "%d landmarks in %zu pictures; wrote %s\n",
-                mount.rMp.x, sigma(0), mount.rMp.y, sigma(1), degrees(mount.rMp.heading),
-                degrees(sigma(2)), mount.landmarks, set.size(), options.output.c_str());
-  }
+  const auto sigma = [&](int i) { return std::sqrt(mount.covariance(i, i)); };
+  std::printf("camera at x %.3f m (+- %.3f), y %.3f m (+- %.3f), yaw %.2f degrees (+- %.2f), by "
+              "%d landmarks in %zu pictures; wrote %s\n",
+              mount.rMp.x, sigma(0), mount.rMp.y, sigma(1), degrees(mount.rMp.heading),
+              degrees(sigma(2)), mount.landmarks, set.size(), options.output.c_str());
 }
 
 } // namespace
@@ -85,9 +83,9 @@ void addMountCommand(CliCommand app)
               "the robot's odometry")
       .required();
   command.option("--robot", options->robot, "URDF of the robot that the rig names").required();
-  command.option("-o,--output", options->output, "URDF to write, with the mirror in its place")
+  command.output("-o,--output", options->output, "URDF to write, with the mirror in its place")
       .required();
-  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.json(options->json, "a summary");
   command.run([options] {
     calibrateMountFrom(*options);
     return kExitDone;

@@ -84,12 +84,10 @@ void calibrateQuickly(const QuickOptions &options)
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = spent.count();
   writeJson(options.json, json);
-  if (options.json != "-" && options.output != "-") {
-    std::printf("%d straight edges, bent by %.2f px rms; wrote %s\n", quick.lines, quick.bendPx,
-                options.output.c_str());
-    for (const std::string &assumed : quick.assumed) {
-      std::printf("assumed: %s\n", assumed.c_str());
-    }
+  std::printf("%d straight edges, bent by %.2f px rms; wrote %s\n", quick.lines, quick.bendPx,
+              options.output.c_str());
+  for (const std::string &assumed : quick.assumed) {
+    std::printf("assumed: %s\n", assumed.c_str());
   }
   for (const std::string &warning : quick.warnings) {
     std::fprintf(stderr, "homeward-calibrate: %s\n", warning.c_str());
@@ -104,7 +102,7 @@ void addQuickCommand(CliCommand app)
   CliCommand command = app.command("quick", "Calibrate without a target, from pictures of a room");
   command.examples("Example: homeward-calibrate quick room.jpg -o camera.yaml --panorama room.png");
   command.option("pictures", options->pictures, "Pictures, folders or patterns").required();
-  command.option("-o,--output", options->output, "Camera file to write (YAML)").showDefault();
+  command.output("-o,--output", options->output, "Camera file to write (YAML)").showDefault();
   command.option("--panorama", options->panorama, "Unwrapped first picture to write");
   command.option("--xi", options->xi, "xi of the mirror, from its data sheet").between(0.3, 3.0);
   command
@@ -112,7 +110,7 @@ void addQuickCommand(CliCommand app)
               "What the rim shows above the horizon, degrees, from its data sheet")
       .between(-60.0, 60.0);
   addMountOptions(command, options->mount);
-  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.json(options->json, "a summary");
   command.run([options] {
     calibrateQuickly(*options);
     return kExitDone;

@@ -52,11 +52,11 @@ void addTargetCommand(CliCommand app)
       "45 --paper a3 --pdf board.pdf\nPrint at 100 %, check the scale of 100 mm, glue it "
       "on something flat.");
   addTargetOptions(command, options->target);
-  command.option("--pdf", options->pdf, "PDF to write (- for standard output)");
-  command.option("--svg", options->svg, "SVG to write (- for standard output)");
+  command.output("--pdf", options->pdf, "PDF to write (- for standard output)");
+  command.output("--svg", options->svg, "SVG to write (- for standard output)");
   command.option("--paper", options->paper, "a4, a3, a2, a1, a0 or letter (the target's size)")
       .oneOf({"a4", "a3", "a2", "a1", "a0", "letter"});
-  command.option("--json", options->json, "Write a summary as JSON (- for standard output)");
+  command.json(options->json, "a summary");
   command.run([options] {
     if (options->pdf.empty() && options->svg.empty()) {
       throw ConfigError("--pdf or --svg is required; see --help");

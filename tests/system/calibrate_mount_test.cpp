@@ -49,7 +49,7 @@ TEST(CalibrateMount, putsTheMirrorWhereItIsAndLeavesTheRest)
   const ProgramRun run = runProgram("mount " + (folder / "drive") + " --robot " + robotFile() +
                                     " -o " + mounted + " --json -");
   ASSERT_EQ(run.status, 0) << run.output;
-  const auto json = nlohmann::json::parse(run.output);
+  const auto json = nlohmann::json::parse(run.data);
   EXPECT_NEAR(json["parameters"]["yaw_deg"]["value"].get<double>(), 30.0, 0.3);
   EXPECT_GT(json["parameters"]["x_m"]["sigma"].get<double>(), 0.0);
   const RobotDescription before = parseRobotDescription(fileText(robotFile()), robotFile());

@@ -70,7 +70,7 @@ TEST(CalibrateTool, calibratesQuicklyFromARoom)
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_NEAR(parseMirrorCamera(fileText(camera), camera).model.parameters().cx, 319.5, 4.0);
   EXPECT_FALSE(cv::imread(folder / "p.png").empty());
-  EXPECT_TRUE(nlohmann::json::parse(run.output).contains("assumed"));
+  EXPECT_TRUE(nlohmann::json::parse(run.data).contains("assumed"));
 }
 
 /** Boards in a small mirror: one picture of 16 bits, one in colour, the rest gray. */
@@ -132,7 +132,7 @@ TEST(CalibrateTool, convertsThereAndBack)
   const ProgramRun there =
       runProgram("convert " + camera + " " + ocam + " --to ocamcalib --model ocam --json -");
   ASSERT_EQ(there.status, 0) << there.output;
-  const auto json = nlohmann::json::parse(there.output);
+  const auto json = nlohmann::json::parse(there.data);
   EXPECT_LT(json["mean_px"].get<double>(), json["largest_px"].get<double>());
   EXPECT_LT(json["largest_px"].get<double>(), 1.0);
   const std::string again = folder / "again.yml";

@@ -39,7 +39,7 @@ TEST_F(HomingProgram, homeFromAPictureToItselfIsNoTurn)
         runProgram("home --current " + picture + " --snapshot " + picture + " --camera " + set() +
                    "/camera.yaml --json - --method " + method);
     ASSERT_EQ(run.status, 0) << run.output;
-    const json answer = json::parse(run.output);
+    const json answer = json::parse(run.data);
     EXPECT_EQ(answer["command"], "home");
     EXPECT_NEAR(answer["heading_change_rad"].get<double>(), 0.0, 0.02) << method;
     EXPECT_LT(answer["distance_proxy"].get<double>(), 0.2) << method;
@@ -56,7 +56,7 @@ TEST_F(HomingProgram, evaluatesADataSetTheSameWithOneThreadAndWithTwo)
         runProgram("evaluate homing --data " + set() + " --methods minwarping-72 compass --json -" +
                    " --threads " + threads);
     ASSERT_EQ(run.status, 0) << run.output;
-    json pair = json::parse(run.output)["light_pairs"][0];
+    json pair = json::parse(run.data)["light_pairs"][0];
     for (auto &method : pair["methods"]) {
       EXPECT_GT(method["ms"].get<double>(), 0.0);
       method.erase("ms");

@@ -54,7 +54,7 @@ TEST_F(Localize, FollowsADrivePastKnownPlaces)
     const ProgramRun run =
         runProgram("localize --train " + train + " --test " + test + " --json - " + how);
     ASSERT_EQ(run.status, 0) << run.output;
-    const auto json = nlohmann::json::parse(run.output);
+    const auto json = nlohmann::json::parse(run.data);
     EXPECT_EQ(json["success_ratio"], 1.0);
     ASSERT_EQ(json["images"].size(), 5U);
     EXPECT_EQ(json["images"][1]["file"], "8.png") << "the order of poses.csv";

@@ -18,13 +18,23 @@ namespace homeward
 struct ProgramRun
 {
   int status = -1;
-  std::string output; ///< standard output and standard error
+  std::string output; ///< standard output, then standard error
+  std::string data;   ///< standard output alone
 };
+
+inline std::string fileText(const std::string &file)
+{
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
 
 /** Runs `homeward ARGUMENTS` in a shell, after what else the shell is to do. */
 inline ProgramRun runProgram(const std::string &arguments, const std::string &before = "")
 {
-  const std::string command = before + HOMEWARD_PROGRAM + " " + arguments + " 2>&1";
+  const Folder folder;
+  const std::string said = folder / "said";
+  const std::string command = "( " + before + HOMEWARD_PROGRAM + " " + arguments + " ) 2>" + said;
   ProgramRun run;
   FILE *pipe = popen(command.c_str(), "r"); // NOLINT(cert-env33-c)
   if (pipe == nullptr) {
@@ -32,18 +42,12 @@ inline ProgramRun runProgram(const std::string &arguments, const std::string &be
   }
   std::array<char, 4096> buffer{};
   while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    run.output.append(buffer.data(), got);
+    run.data.append(buffer.data(), got);
   }
   const int ended = pclose(pipe);
+  run.output = run.data + fileText(said);
   run.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
   return run;
-}
-
-inline std::string fileText(const std::string &file)
-{
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 } // namespace homeward
