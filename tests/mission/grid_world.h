@@ -5,6 +5,7 @@
 #include <homeward/mission/explorer.h>
 #include <homeward/mission/navigator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -53,6 +54,7 @@ public:
   std::vector<Cell> nodes;     ///< cell of each node, by id
   bool lookAlike = false;      ///< every place looks like every other
   int homingFailures = 0;      ///< homings still to fail
+  bool shortSighted = false;   ///< homes only to the place where it stands
   std::vector<NodeId> homedTo; ///< every homing asked for
 
 private:
@@ -100,11 +102,12 @@ private:
   Report act(const HomeTo &command)
   {
     homedTo.push_back(command.node);
-    if (homingFailures > 0) {
-      --homingFailures;
+    const Cell target = nodes.at(static_cast<std::size_t>(command.node.value));
+    if (homingFailures > 0 || (shortSighted && target != m_robot)) {
+      homingFailures = std::max(0, homingFailures - 1);
       return Homed{HomingEnd::Lost, chord()};
     }
-    m_robot = nodes.at(static_cast<std::size_t>(command.node.value));
+    m_robot = target;
     const Homed report{HomingEnd::Arrived, chord()};
     m_left = m_robot;
     return report;

@@ -20,8 +20,8 @@ struct NavigatorTest : testing::Test
     for (std::int64_t i = 0; i < 5; ++i) {
       map.apply(NodeAdded{{NodeId{i}, {}}});
     }
-    map.apply(EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.0, kPi - 0.001}});
-    map.apply(EdgeAdded{{EdgeId{1}, NodeId{1}, NodeId{2}, 0.0, kPi - 0.001}});
+    map.apply(EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.0, kPi - 0.001, 1.0}});
+    map.apply(EdgeAdded{{EdgeId{1}, NodeId{1}, NodeId{2}, 0.0, kPi - 0.001, 1.0}});
     map.apply(EdgeAdded{{EdgeId{2}, NodeId{1}, NodeId{3}}});
     world.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {2, 2}};
   }
@@ -69,6 +69,22 @@ TEST_F(NavigatorTest, TriesAgainAfterAFailedLeg)
 {
   world.homingFailures = 1;
   EXPECT_EQ(navigate(NodeId{2}).outcome, Outcome::Done);
+}
+
+TEST_F(NavigatorTest, DrivesALegAsItWasDrivenWhenSightDoesNotReach)
+{
+  world.shortSighted = true;
+  EXPECT_EQ(navigate(NodeId{2}).outcome, Outcome::Done);
+  EXPECT_EQ(last.visited,
+            (std::vector<NodeId>{NodeId{0}, NodeId{0}, NodeId{1}, NodeId{1}, NodeId{2}}));
+}
+
+TEST_F(NavigatorTest, SaysUnreachableWhenSightDoesNotReachAndTheWayIsUnknown)
+{
+  world.shortSighted = true;
+  const Finish finish = navigate(NodeId{3});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_NE(finish.reason.find("unreachable"), std::string::npos);
 }
 
 TEST_F(NavigatorTest, SaysLostWhenNoPlaceCanBeReached)

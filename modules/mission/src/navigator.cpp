@@ -62,6 +62,9 @@ public:
     plan();
   }
 
+  /** However far it came, the next place is nearer now and looks more like it. */
+  void strode(const Driven & /*report*/) { homeToNext(std::nullopt); }
+
   void followed(const Homed &report)
   {
     NavigatorState &state = m_step.state;
@@ -128,10 +131,22 @@ private:
   void followRoute()
   {
     NavigatorState &state = m_step.state;
+    const std::optional<double> departure =
+        m_map.departureBearing(*state.here, state.route.front());
+    const std::optional<Edge> edge = m_map.edgeBetween(*state.here, state.route.front());
+    if (edge && state.failures.contains(edge->id) && departure && edge->length) {
+      state.phase = Phase::Striding;
+      m_step.command = DriveDirection{*departure, *edge->length};
+      return;
+    }
+    homeToNext(departure);
+  }
+
+  void homeToNext(std::optional<double> departure)
+  {
+    NavigatorState &state = m_step.state;
     state.phase = Phase::Following;
-    m_step.command =
-        HomeTo{state.route.front(), m_map.departureBearing(*state.here, state.route.front()),
-               state.route.size() == 1};
+    m_step.command = HomeTo{state.route.front(), departure, state.route.size() == 1};
   }
 
   const NavigatorOptions &m_options;
@@ -169,6 +184,9 @@ Step<NavigatorState> Navigator::next(const State &state, const TopologicalMap &m
     break;
   case Phase::Approaching:
     stepper.approached(answer<Homed>(report));
+    break;
+  case Phase::Striding:
+    stepper.strode(answer<Driven>(report));
     break;
   case Phase::Following:
     stepper.followed(answer<Homed>(report));

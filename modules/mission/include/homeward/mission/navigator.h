@@ -19,6 +19,7 @@ struct NavigatorState
     Locating,    ///< which known place is this?
     Approaching, ///< to the place recognised
     Following,   ///< the planned route
+    Striding,    ///< along a leg as it was driven once, because sight alone did not do
     Finished
   };
 
@@ -42,13 +43,15 @@ struct NavigatorOptions
 
 // clang-format off
 /**
- * Drives to a node by sight: a pure state machine over (state, map, report).
+ * Drives to a node by sight: a pure state machine over (state, map, report). A leg that failed once is
+ * driven by its bearing and length first, where the map knows both.
  *
  * | phase       | report     | next                                                                |
  * |-------------|------------|---------------------------------------------------------------------|
  * | Locating    | Recognised | Approaching the likeliest place; Finished (lost) when there is none |
  * | Approaching | Homed      | arrived: Following the shortest path; else Locating                 |
  * | Following   | Homed      | arrived: next leg, Finished at the goal; else Locating              |
+ * | Striding    | Driven     | Following the same leg, from where it stands now                    |
  */
 // clang-format on
 class Navigator
