@@ -34,10 +34,10 @@ struct HomingProgram : testing::Test
 TEST_F(HomingProgram, homeFromAPictureToItselfIsNoTurn)
 {
   const std::string picture = set() + "/day_00000.png";
+  const std::string home = "home --current " + picture + " --snapshot " + picture + " --camera " +
+                           set() + "/camera.yaml --json - --method ";
   for (const char *method : {"minwarping", "hiss"}) {
-    const ProgramRun run =
-        runProgram("home --current " + picture + " --snapshot " + picture + " --camera " + set() +
-                   "/camera.yaml --json - --method " + method);
+    const ProgramRun run = runProgram(home + method);
     ASSERT_EQ(run.status, 0) << run.output;
     const json answer = json::parse(run.data);
     EXPECT_EQ(answer["command"], "home");

@@ -19,7 +19,7 @@ struct Localize : testing::Test
   std::string makeSet(const std::string &name, double first, double step, int count,
                       int width = 360)
   {
-    const std::string at = folder / name;
+    std::string at = folder / name;
     std::filesystem::create_directory(at);
     std::ofstream(at + "/panorama.yaml")
         << "projection: equirectangular\nelevation_min_deg: -45\nelevation_max_deg: 35\n"
@@ -29,7 +29,8 @@ struct Localize : testing::Test
     for (int i = 0; i < count; ++i) {
       const Pose2 pose{first + step * i, 0.2, 0.7 * i};
       const std::string file = std::to_string(9 - i) + ".png"; // names in no order
-      cv::imwrite(at + "/" + file, room.view(pose, {}, {.width = width, .height = 80}).image);
+      cv::imwrite(std::filesystem::path(at) / file,
+                  room.view(pose, {}, {.width = width, .height = 80}).image);
       poses << file << ',' << pose.x << ',' << pose.y << ',' << pose.heading << ",day\n";
     }
     return at;
@@ -50,9 +51,9 @@ TEST_F(Localize, FollowsADrivePastKnownPlaces)
 {
   const std::string train = makeSet("train", -1.8, 0.9, 5);
   const std::string test = makeSet("test", -1.75, 0.9, 5);
-  for (const std::string how : {"--global", "--local", "--signature edge_bytes"}) {
-    const ProgramRun run =
-        runProgram("localize --train " + train + " --test " + test + " --json - " + how);
+  const std::string localize = "localize --train " + train + " --test " + test + " --json - ";
+  for (const char *how : {"--global", "--local", "--signature edge_bytes"}) {
+    const ProgramRun run = runProgram(localize + how);
     ASSERT_EQ(run.status, 0) << run.output;
     const auto json = nlohmann::json::parse(run.data);
     EXPECT_EQ(json["success_ratio"], 1.0);
