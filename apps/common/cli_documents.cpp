@@ -95,8 +95,7 @@ void writeTables(const CLI::App &command, const std::string &path, std::ostream 
   }
 }
 
-} // namespace
-
+/** The manual page of a program and all its subcommands, as man(7) source. */
 std::string manPage(const CLI::App &program, const std::string &version)
 {
   const std::string &name = program.get_name();
@@ -125,6 +124,7 @@ std::string manPage(const CLI::App &program, const std::string &version)
   return out.str();
 }
 
+/** A script that completes a program's subcommands, options and files in bash. */
 std::string bashCompletion(const CLI::App &program)
 {
   const std::string &name = program.get_name();
@@ -150,6 +150,8 @@ std::string bashCompletion(const CLI::App &program)
       << "complete -o filenames -F " << function << ' ' << name << '\n';
   return out.str();
 }
+
+} // namespace
 
 std::optional<std::string> cliDocument(const CLI::App &program, const std::string &version,
                                        int argc, char **argv)

@@ -12,15 +12,10 @@ class App;
 namespace homeward
 {
 
-/** The manual page of a program and all its subcommands, as man(7) source. */
-std::string manPage(const CLI::App &program, const std::string &version);
-
-/** A script that completes a program's subcommands, options and files in bash. */
-std::string bashCompletion(const CLI::App &program);
-
 /**
- * What a program prints instead of running when its only argument is `--man` or `--completion`,
- * which packages are built with; nothing for any other arguments.
+ * What a program prints instead of running when its only argument is `--man` (its manual page, as
+ * man(7) source) or `--completion` (a script for bash), which packages are built with; nothing for
+ * any other arguments.
  */
 std::optional<std::string> cliDocument(const CLI::App &program, const std::string &version,
                                        int argc, char **argv);

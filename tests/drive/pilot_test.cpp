@@ -60,6 +60,17 @@ protected:
     return surveyed;
   }
 
+  /** Drives off from a new node and back to stand exactly there. @return where that was */
+  Pose2 comeBackExactly()
+  {
+    const Pose2 home = simulator.truth().pose;
+    makeNode(NodeId{0});
+    ask<Driven>(DriveDirection{0.4, 1.5});
+    EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
+    EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
+    return home;
+  }
+
   double distanceTo(const Pose2 &place) const
   {
     return (simulator.truth().pose.translation() - place.translation()).norm();
@@ -164,34 +175,19 @@ TEST_F(PilotTest, DrivesOffAndFindsBackBySight)
 
 TEST_F(PilotTest, StandsExactlyWhereItStoodAndAsItStoodWhenAskedTo)
 {
-  const Pose2 home = simulator.truth().pose;
-  makeNode(NodeId{0});
-  ask<Driven>(DriveDirection{0.4, 1.5});
-  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
-  EXPECT_LT(distanceTo(home), 0.08);
-  EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
+  EXPECT_LT(distanceTo(comeBackExactly()), 0.08);
   EXPECT_NEAR(simulator.base().state().velocity.v, 0.0, 0.02);
   EXPECT_EQ(simulator.truth().collisions, 0);
 }
 
 TEST_F(AskewPilotTest, StandsWhereTheRobotStoodAndNotItsMirror)
 {
-  const Pose2 home = simulator.truth().pose;
-  makeNode(NodeId{0});
-  ask<Driven>(DriveDirection{0.4, 1.5});
-  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
-  EXPECT_LT(distanceTo(home), 0.1);
-  EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
+  EXPECT_LT(distanceTo(comeBackExactly()), 0.1);
 }
 
 TEST_F(SteppingPilotTest, StepsOverWhatIsLeftWhenItStands)
 {
-  const Pose2 home = simulator.truth().pose;
-  makeNode(NodeId{0});
-  ask<Driven>(DriveDirection{0.4, 1.5});
-  EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt, true}).end, HomingEnd::Arrived);
-  EXPECT_LT(distanceTo(home), 0.08);
-  EXPECT_NEAR(wrapAngle(simulator.truth().pose.heading - home.heading), 0.0, radians(1.5));
+  EXPECT_LT(distanceTo(comeBackExactly()), 0.08);
 }
 
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
