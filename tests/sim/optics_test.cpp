@@ -26,18 +26,41 @@ MirrorCamera cameraWith(double xi)
 
 TEST(TrueOptics, RayAndProjectAreInverse)
 {
-  const TrueOptics optics = drawOptics(cameraWith(0.95), 3);
-  for (double u = 90.0; u < 560.0; u += 31.0) {
-    for (double v = 10.0; v < 480.0; v += 29.0) {
-      const auto ray = optics.ray({u, v});
-      ASSERT_TRUE(ray);
-      EXPECT_NEAR(ray->norm(), 1.0, 1e-12);
-      EXPECT_LT((*optics.project(3.0 * *ray) - Eigen::Vector2d(u, v)).norm(), 1e-9);
+  for (const double xi : {0.8, 0.95, 1.0, 1.05}) {
+    const TrueOptics optics = drawOptics(cameraWith(xi), 3);
+    for (double u = 90.0; u < 560.0; u += 31.0) {
+      for (double v = 10.0; v < 480.0; v += 29.0) {
+        const auto ray = optics.ray({u, v});
+        ASSERT_TRUE(ray);
+        EXPECT_NEAR(ray->norm(), 1.0, 1e-12);
+        EXPECT_LT((*optics.project(3.0 * *ray) - Eigen::Vector2d(u, v)).norm(), 1e-9);
+      }
     }
   }
 }
 
-TEST(TrueOptics, AHyperboloidEqualsTheUnifiedModel)
+TEST(TrueOptics, IsWhatAHyperboloidOverACameraImages)
+{
+  const double e = 1.4;
+  const double a = 0.03;            // half the mirror's axis, metres
+  const double perspective = 300.0; // focal length of the camera, pixels
+  const double apart = 2.0 * e * a; // of the two foci
+  TrueOptics optics;
+  optics.xi = 2.0 * e / (e * e + 1.0);
+  optics.focal.setConstant(perspective * (e * e - 1.0) / (e * e + 1.0));
+  for (double t = 0.2; t < 2.2; t += 0.2) {
+    // The surface point on the way to the upper focus: the lower one is 2 a farther from it.
+    const double r = a * (e * e - 1.0) / (1.0 + e * std::cos(t));
+    const Eigen::Vector2d surface(r * std::sin(t), r * std::cos(t));
+    ASSERT_NEAR((surface - Eigen::Vector2d(0.0, apart)).norm() - r, 2.0 * a, 1e-12);
+    const double radius = perspective * surface.x() / (apart - surface.y());
+    const auto pixel = optics.project({std::sin(t), 0.0, -std::cos(t)});
+    ASSERT_TRUE(pixel);
+    EXPECT_NEAR((*pixel - optics.centre).norm(), radius, 1e-9);
+  }
+}
+
+TEST(TrueOptics, EqualsTheUnifiedModel)
 {
   const MirrorCamera camera = cameraWith(0.9);
   const TrueOptics optics = exactOptics(camera);
@@ -79,10 +102,16 @@ TEST(TrueOptics, DrawsStayWithinTheirBoundsAndFollowTheSeed)
   EXPECT_NE(drawOptics(camera, 1).centre, drawOptics(camera, 2).centre);
 }
 
-TEST(TrueOptics, OnlyAHyperboloidsXiIsAccepted)
+TEST(TrueOptics, NeedsAMirror)
 {
-  EXPECT_THROW(exactOptics(cameraWith(1.0)), LogicError);
   EXPECT_THROW(exactOptics(cameraWith(0.0)), LogicError);
+}
+
+TEST(TrueOptics, EndsWhereItsPictureEnds)
+{
+  const TrueOptics optics = exactOptics(cameraWith(1.05)); // R stays below f / sqrt(xi^2 - 1)
+  EXPECT_TRUE(optics.ray({319.5 + 330.0, 239.5}));
+  EXPECT_FALSE(optics.ray({319.5 + 340.0, 239.5}));
 }
 
 } // namespace

@@ -4,8 +4,26 @@
 #include "scene_builder.h"
 #include "sdf_document.h"
 
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+
 namespace homeward
 {
+
+Texture makeTexture(const cv::Mat &picture)
+{
+  Texture texture;
+  texture.levels.push_back(picture);
+  while (texture.levels.back().rows > 1 || texture.levels.back().cols > 1) {
+    const cv::Mat &last = texture.levels.back();
+    cv::Mat half;
+    cv::resize(last, half, {std::max(1, last.cols / 2), std::max(1, last.rows / 2)}, 0.0, 0.0,
+               cv::INTER_AREA);
+    texture.levels.push_back(half);
+  }
+  return texture;
+}
 
 Eigen::AlignedBox3f boundsOf(const std::vector<Mesh> &meshes)
 {

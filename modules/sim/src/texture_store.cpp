@@ -2,7 +2,6 @@
 #include "texture_store.h"
 
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -35,20 +34,6 @@ fs::path modelFolder(const fs::path &file)
 }
 
 } // namespace
-
-Texture makeTexture(const cv::Mat &picture)
-{
-  Texture texture;
-  texture.levels.push_back(picture);
-  while (texture.levels.back().rows > 1 || texture.levels.back().cols > 1) {
-    const cv::Mat &last = texture.levels.back();
-    cv::Mat half;
-    cv::resize(last, half, {std::max(1, last.cols / 2), std::max(1, last.rows / 2)}, 0.0, 0.0,
-               cv::INTER_AREA);
-    texture.levels.push_back(half);
-  }
-  return texture;
-}
 
 const TextureStore::FileIndex &TextureStore::filesBelow(const fs::path &folder)
 {

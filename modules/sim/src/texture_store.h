@@ -48,7 +48,4 @@ private:
   std::map<std::filesystem::path, FileIndex> m_indices; ///< by folder; keys are lower-case names
 };
 
-/** The picture and its halvings down to one pixel. */
-Texture makeTexture(const cv::Mat &picture);
-
 } // namespace homeward

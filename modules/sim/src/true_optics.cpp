@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -21,31 +22,27 @@ constexpr double kLargestTilt = radians(0.5);
 constexpr double kLargestShift = 3.0;        ///< pixels
 constexpr double kLargestFocalError = 0.005; ///< share
 
-/** (e^2 - 1) / (e^2 + 1): what the mirror makes of the focal length. */
-double magnification(double eccentricity)
+/** Cosine of the angle from the axis that no ray of a picture reaches. */
+double lowestCosine(double xi)
 {
-  const double square = eccentricity * eccentricity;
-  return (square - 1.0) / (square + 1.0);
-}
-
-/** 2 e / (e^2 + 1): the unified model's xi. */
-double mirrorParameter(double eccentricity)
-{
-  return 2.0 * eccentricity / (eccentricity * eccentricity + 1.0);
+  return -std::min(xi, 1.0 / xi) + 1e-6;
 }
 
 } // namespace
 
 std::optional<Eigen::Vector3d> TrueOptics::ray(const Eigen::Vector2d &pixel) const
 {
-  const double xi = mirrorParameter(eccentricity);
-  const Eigen::Vector2d m = (pixel - centre).cwiseQuotient(focal) / magnification(eccentricity);
+  const Eigen::Vector2d m = (pixel - centre).cwiseQuotient(focal);
   const double radius = m.norm();
   // R (cos t + xi) = sin t, solved for h = tan(t / 2).
-  const double h = radius * (1.0 + xi) / (1.0 + std::sqrt(1.0 + radius * radius * (1.0 - xi * xi)));
+  const double underRoot = 1.0 + radius * radius * (1.0 - xi * xi);
+  if (underRoot < 0.0) {
+    return std::nullopt;
+  }
+  const double h = radius * (1.0 + xi) / (1.0 + std::sqrt(underRoot));
   const double cosine = (1.0 - h * h) / (1.0 + h * h);
   const double sine = 2.0 * h / (1.0 + h * h);
-  if (cosine <= -xi + 1e-6) {
+  if (cosine <= lowestCosine(xi)) {
     return std::nullopt;
   }
   const double turn = std::atan2(m.y(), m.x()) - mount.forward;
@@ -55,13 +52,12 @@ std::optional<Eigen::Vector3d> TrueOptics::ray(const Eigen::Vector2d &pixel) con
 
 std::optional<Eigen::Vector2d> TrueOptics::project(const Eigen::Vector3d &pX) const
 {
-  const double xi = mirrorParameter(eccentricity);
   const Eigen::Vector3d aX = pRa.transpose() * pX.normalized();
   const double sine = std::hypot(aX.x(), aX.y());
-  if (-aX.z() <= -xi + 1e-6) {
+  if (-aX.z() <= lowestCosine(xi)) {
     return std::nullopt;
   }
-  const double radius = magnification(eccentricity) * sine / (-aX.z() + xi);
+  const double radius = sine / (-aX.z() + xi);
   const double azimuth = std::atan2(aX.y(), aX.x());
   const double angle = mount.forward + (mount.leftIsClockwise ? azimuth : -azimuth);
   return centre + radius * focal.cwiseProduct(Eigen::Vector2d(std::cos(angle), std::sin(angle)));
@@ -70,16 +66,15 @@ std::optional<Eigen::Vector2d> TrueOptics::project(const Eigen::Vector3d &pX) co
 TrueOptics exactOptics(const MirrorCamera &nominal)
 {
   const UnifiedCamera::Parameters &parameters = nominal.model.parameters();
-  const double xi = parameters.xi;
-  if (xi <= 0.0 || xi >= 1.0) {
-    throw LogicError("xi is " + std::to_string(xi) +
-                     "; a hyperbolic mirror needs one between 0 and 1");
+  if (!(parameters.xi > 0.0)) {
+    throw LogicError("xi is " + std::to_string(parameters.xi) +
+                     "; a camera under a mirror has a positive one");
   }
   TrueOptics optics;
   optics.width = nominal.model.width();
   optics.height = nominal.model.height();
-  optics.eccentricity = (1.0 + std::sqrt(1.0 - xi * xi)) / xi;
-  optics.focal = Eigen::Vector2d(parameters.fx, parameters.fy) / magnification(optics.eccentricity);
+  optics.xi = parameters.xi;
+  optics.focal = {parameters.fx, parameters.fy};
   optics.centre = {parameters.cx, parameters.cy};
   optics.innerRadius = nominal.ring.inner;
   optics.outerRadius = nominal.ring.outer;

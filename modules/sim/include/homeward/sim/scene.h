@@ -19,6 +19,9 @@ struct Texture
   std::vector<cv::Mat> levels;
 };
 
+/** The picture, CV_8UC3, and its halvings down to one pixel. */
+Texture makeTexture(const cv::Mat &picture);
+
 /** How a surface reflects light. Both sides of a triangle look the same. */
 struct Material
 {
