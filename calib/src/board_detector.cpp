@@ -3,6 +3,7 @@
 
 #include "grid_boards.h"
 
+#include <homeward/camera/unified_model.h>
 #include <homeward/core/error.h>
 
 #include <atomic>
@@ -14,13 +15,23 @@
 namespace homeward
 {
 
-std::optional<BoardView> findBoard(const cv::Mat &picture, const Target &target,
-                                   const std::optional<MirrorCircles> &mirror)
+namespace
+{
+
+void checkPicture(const cv::Mat &picture)
 {
   if (picture.type() != CV_8UC1 || picture.empty()) {
     throw LogicError("boards are found in 8-bit gray pictures, not in type " +
                      std::to_string(picture.type()));
   }
+}
+
+} // namespace
+
+std::optional<BoardView> findBoard(const cv::Mat &picture, const Target &target,
+                                   const std::optional<MirrorCircles> &mirror)
+{
+  checkPicture(picture);
   checkTarget(target);
   const bool grid = target.kind == TargetKind::Chessboard || target.kind == TargetKind::CircleGrid;
   std::optional<BoardView> view =
@@ -66,6 +77,26 @@ std::vector<std::optional<BoardView>> findBoards(const std::vector<cv::Mat> &pic
     std::rethrow_exception(failure);
   }
   return views;
+}
+
+BoardViews refineBoards(const std::vector<cv::Mat> &pictures, const Target &target,
+                        const BoardViews &views, const CameraModel &camera)
+{
+  const auto *unified = dynamic_cast<const UnifiedModel *>(&camera);
+  if (unified == nullptr || pictures.size() != views.views.size()) {
+    throw LogicError("boards are refined by a unified camera, not " + camera.name() +
+                     ", in a picture a view, not " + std::to_string(pictures.size()) + " for " +
+                     std::to_string(views.views.size()));
+  }
+  checkTarget(target);
+  BoardViews refined = views;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    checkPicture(pictures[i]);
+    if (target.kind != TargetKind::AprilGrid) {
+      refined.views[i] = refineGridPoints(pictures[i], target, views.views[i], unified->camera());
+    }
+  }
+  return refined;
 }
 
 } // namespace homeward

@@ -154,9 +154,15 @@ Eigen::MatrixXd covarianceOf(const RobustFit &fit, const std::vector<bool> &esti
   return covariance;
 }
 
-/** Root mean square of a view that had no part in the camera, its pose refitted. */
-double leftOut(const BoardViews &views, const RobustFit &fit, std::size_t which,
-               const std::vector<bool> &estimated)
+/** What the other views say of one of them and of the camera. */
+struct LeftOut
+{
+  double rms = 0.0;           ///< of the view, its pose refitted; pixels
+  Eigen::VectorXd parameters; ///< of the camera
+};
+
+LeftOut leftOut(const BoardViews &views, const RobustFit &fit, std::size_t which,
+                const std::vector<bool> &estimated)
 {
   BundleState others = fit.bundle.state;
   std::vector<BoardView> rest = views.views;
@@ -173,7 +179,40 @@ double leftOut(const BoardViews &views, const RobustFit &fit, std::size_t which,
   const BundleState alone{without.state.model, {fit.bundle.state.cMo[which]}};
   const auto refitted =
       adjustBundle({views.views[which]}, {fit.inliers[which]}, alone, options).state;
-  return rmsOf(residuals(views.views[which], *refitted.model, refitted.cMo[0]), fit.inliers[which]);
+  return {
+      rmsOf(residuals(views.views[which], *refitted.model, refitted.cMo[0]), fit.inliers[which]),
+      without.state.model->parameters()};
+}
+
+/**
+ * How much wider the parameters scatter than points that err independently of each other would let
+ * them, as a factor of the covariance, at least 1: errors of one picture go together. The jackknife
+ * over views, against the information. \cite Efron1982
+ */
+double spreadOverViews(const std::vector<Eigen::VectorXd> &withoutOne, const RobustFit &fit,
+                       const std::vector<bool> &estimated)
+{
+  std::vector<Eigen::Index> free;
+  for (std::size_t i = 0; i < estimated.size(); ++i) {
+    if (estimated[i]) {
+      free.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  const auto views = static_cast<double>(withoutOne.size());
+  if (withoutOne.size() <= free.size() + 1) {
+    return 1.0;
+  }
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));
+  for (const Eigen::VectorXd &parameters : withoutOne) {
+    mean += parameters(free) / views;
+  }
+  double sum = 0.0;
+  for (const Eigen::VectorXd &parameters : withoutOne) {
+    const Eigen::VectorXd away = parameters(free) - mean;
+    sum += away.dot(fit.bundle.information * away) / (fit.sigma * fit.sigma);
+  }
+  const double factor = (views - 1.0) / views * sum / static_cast<double>(free.size());
+  return std::isfinite(factor) ? std::max(1.0, factor) : 1.0;
 }
 
 /** Fills in what the fit says about every view and about all of them. */
@@ -186,6 +225,7 @@ void describeViews(const BoardViews &views, const RobustFit &fit, const Calibrat
   double heldoutPoints = 0.0;
   double points = 0.0;
   double inliers = 0.0;
+  std::vector<Eigen::VectorXd> withoutOne;
   for (std::size_t v = 0; v < views.views.size(); ++v) {
     CalibratedView view;
     view.cMo = fit.bundle.state.cMo[v];
@@ -204,11 +244,12 @@ void describeViews(const BoardViews &views, const RobustFit &fit, const Calibrat
     inliers += inside;
     result.outliers += outliers;
     if (options.crossValidate) {
-      const double alone = leftOut(views, fit, v, result.estimated);
-      if (std::isfinite(alone)) {
-        view.heldoutRms = alone;
-        heldout += alone * alone * inside;
+      const LeftOut alone = leftOut(views, fit, v, result.estimated);
+      if (std::isfinite(alone.rms)) {
+        view.heldoutRms = alone.rms;
+        heldout += alone.rms * alone.rms * inside;
         heldoutPoints += inside;
+        withoutOne.push_back(alone.parameters);
       }
     }
     result.views.push_back(std::move(view));
@@ -218,6 +259,7 @@ void describeViews(const BoardViews &views, const RobustFit &fit, const Calibrat
   if (heldoutPoints > 0.0) {
     result.heldoutRms = std::sqrt(heldout / heldoutPoints);
   }
+  result.covariance *= spreadOverViews(withoutOne, fit, result.estimated);
 }
 
 Calibration calibrated(const BoardViews &given, const CameraModel *start,

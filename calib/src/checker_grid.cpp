@@ -121,9 +121,9 @@ Placed placedBeside(const Placed &placed, const std::vector<CheckerCorner> &corn
 }
 
 /** The grid that grows from a corner; marks all that it meets. */
-std::vector<GridCorner> grow(const std::vector<CheckerCorner> &corners,
-                             const std::vector<Neighbours> &next, std::size_t seed,
-                             std::vector<bool> &met)
+std::vector<GridPoint> grow(const std::vector<CheckerCorner> &corners,
+                            const std::vector<Neighbours> &next, std::size_t seed,
+                            std::vector<bool> &met)
 {
   const CheckerCorner &first = corners[seed];
   const double turn = first.rising.x() * first.falling.y() - first.rising.y() * first.falling.x();
@@ -148,7 +148,7 @@ std::vector<GridCorner> grow(const std::vector<CheckerCorner> &corners,
       }
     }
   }
-  std::vector<GridCorner> grid;
+  std::vector<GridPoint> grid;
   for (const auto &[place, corner] : taken) {
     grid.push_back({place.first, place.second, corners[corner].pixel});
   }
@@ -156,16 +156,16 @@ std::vector<GridCorner> grow(const std::vector<CheckerCorner> &corners,
 }
 
 /** Corners with two neighbours in line and none across hang on by a thread: they go. */
-void dropThreads(std::vector<GridCorner> &grid)
+void dropThreads(std::vector<GridPoint> &grid)
 {
   for (;;) {
     const auto has = [&](int column, int row) {
-      return std::any_of(grid.begin(), grid.end(), [&](const GridCorner &corner) {
+      return std::any_of(grid.begin(), grid.end(), [&](const GridPoint &corner) {
         return corner.column == column && corner.row == row;
       });
     };
-    std::vector<GridCorner> kept;
-    for (const GridCorner &corner : grid) {
+    std::vector<GridPoint> kept;
+    for (const GridPoint &corner : grid) {
       const int c = corner.column;
       const int r = corner.row;
       bool square = false;
@@ -185,102 +185,18 @@ void dropThreads(std::vector<GridCorner> &grid)
   }
 }
 
-/** Takes away the outer column or row with the fewest corners. */
-void dropThinnestSide(std::vector<GridCorner> &grid, bool columns)
-{
-  const auto place = [columns](const GridCorner &corner) {
-    return columns ? corner.column : corner.row;
-  };
-  const auto [low, high] =
-      std::minmax_element(grid.begin(), grid.end(), [&](const GridCorner &a, const GridCorner &b) {
-        return place(a) < place(b);
-      });
-  const int first = place(*low);
-  const int last = place(*high);
-  const auto count = [&](int side) {
-    return std::count_if(grid.begin(), grid.end(),
-                         [&](const GridCorner &corner) { return place(corner) == side; });
-  };
-  const int side = count(first) < count(last) ? first : last;
-  std::erase_if(grid, [&](const GridCorner &corner) { return place(corner) == side; });
-}
-
-/** Counted from zero. */
-void countFromZero(std::vector<GridCorner> &grid)
-{
-  int column = grid.front().column;
-  int row = grid.front().row;
-  for (const GridCorner &corner : grid) {
-    column = std::min(column, corner.column);
-    row = std::min(row, corner.row);
-  }
-  for (GridCorner &corner : grid) {
-    corner.column -= column;
-    corner.row -= row;
-  }
-}
-
-/** A quarter turn; what were rows are columns. */
-std::vector<GridCorner> turned(std::vector<GridCorner> grid)
-{
-  for (GridCorner &corner : grid) {
-    corner = {-corner.row, corner.column, corner.pixel};
-  }
-  countFromZero(grid);
-  return grid;
-}
-
-/** How far to the right the columns run. */
-double rightwards(const std::vector<GridCorner> &grid)
-{
-  double mean = 0.0;
-  for (const GridCorner &corner : grid) {
-    mean += corner.column / static_cast<double>(grid.size());
-  }
-  double sum = 0.0;
-  for (const GridCorner &corner : grid) {
-    sum += (corner.column - mean) * corner.pixel.x();
-  }
-  return sum;
-}
-
-/** The grid without what is too much for the board, turned so that it fits and reads rightwards. */
-std::vector<GridCorner> fitted(std::vector<GridCorner> grid, const GridSize &size)
-{
-  const int most = std::max(size.columns, size.rows);
-  const int least = std::min(size.columns, size.rows);
-  for (GridSize extent = extentOf(grid); std::max(extent.columns, extent.rows) > most ||
-                                         std::min(extent.columns, extent.rows) > least;
-       extent = extentOf(grid)) {
-    const bool wide = extent.columns >= extent.rows;
-    // The longer side shrinks while it is too long, then the shorter one.
-    dropThinnestSide(grid, std::max(extent.columns, extent.rows) > most ? wide : !wide);
-  }
-  countFromZero(grid);
-  std::optional<std::vector<GridCorner>> best;
-  for (int i = 0; i < 4; ++i) {
-    const GridSize extent = extentOf(grid);
-    const bool fits = extent.columns <= size.columns && extent.rows <= size.rows;
-    if (fits && (!best || rightwards(grid) > rightwards(*best))) {
-      best = grid;
-    }
-    grid = turned(grid);
-  }
-  return best.value_or(std::vector<GridCorner>());
-}
-
 /** The grid of a picture that has more corners of the board than any other in it. */
-std::vector<GridCorner> largestGrid(const cv::Mat1b &smooth, const GridSize &size)
+std::vector<GridPoint> largestGrid(const cv::Mat1b &smooth, const GridSize &size)
 {
   const std::vector<CheckerCorner> corners = checkerCorners(smooth);
   const std::vector<Neighbours> next = neighbours(smooth, corners);
   std::vector<bool> met(corners.size(), false);
-  std::vector<GridCorner> largest;
+  std::vector<GridPoint> largest;
   for (std::size_t seed = 0; seed < corners.size(); ++seed) {
     if (met[seed]) {
       continue;
     }
-    std::vector<GridCorner> grid = grow(corners, next, seed, met);
+    std::vector<GridPoint> grid = grow(corners, next, seed, met);
     dropThreads(grid);
     if (grid.size() <= largest.size()) {
       continue;
@@ -295,34 +211,19 @@ std::vector<GridCorner> largestGrid(const cv::Mat1b &smooth, const GridSize &siz
 
 } // namespace
 
-GridSize extentOf(const std::vector<GridCorner> &grid)
-{
-  if (grid.empty()) {
-    return {};
-  }
-  const auto [left, right] =
-      std::minmax_element(grid.begin(), grid.end(), [](const GridCorner &a, const GridCorner &b) {
-        return a.column < b.column;
-      });
-  const auto [top, bottom] =
-      std::minmax_element(grid.begin(), grid.end(),
-                          [](const GridCorner &a, const GridCorner &b) { return a.row < b.row; });
-  return {right->column - left->column + 1, bottom->row - top->row + 1};
-}
-
-std::vector<GridCorner> findCheckerGrid(const cv::Mat1b &picture, const GridSize &size)
+std::vector<GridPoint> findCheckerGrid(const cv::Mat1b &picture, const GridSize &size)
 {
   constexpr int kSmallest = 300; // pixels of a side
   constexpr double kBlur = 1.0;
-  std::vector<GridCorner> largest;
+  std::vector<GridPoint> largest;
   cv::Mat1b image = picture;
   for (double scale = 1.0; std::min(image.cols, image.rows) >= kSmallest || scale == 1.0;
        scale *= 2.0) {
     cv::Mat1b smooth;
     cv::GaussianBlur(image, smooth, {}, kBlur);
-    std::vector<GridCorner> grid = largestGrid(smooth, size);
+    std::vector<GridPoint> grid = largestGrid(smooth, size);
     if (grid.size() > largest.size()) {
-      for (GridCorner &corner : grid) {
+      for (GridPoint &corner : grid) {
         corner.pixel = (corner.pixel.array() + 0.5) * scale - 0.5;
       }
       largest = std::move(grid);

@@ -3,13 +3,9 @@
 
 #include "board_map.h"
 #include "checker_grid.h"
+#include "disc_grid.h"
 #include "picture_views.h"
 #include "point_refinement.h"
-
-#include <homeward/core/angle.h>
-
-#include <opencv2/calib3d.hpp>
-#include <opencv2/features2d.hpp>
 
 #include <algorithm>
 
@@ -21,21 +17,11 @@ namespace
 /** A board's points by their ids; what is not seen is empty. */
 using Grid = std::vector<std::optional<BoardPixel>>;
 
-/** Every disc of the grid, row by row, in the pixels of a view; empty where it is not seen. */
-std::vector<cv::Point2f> findDiscs(const cv::Mat1b &image, const Target &target)
+/** How many points the target's grid has. */
+GridSize sizeOf(const Target &target)
 {
-  cv::SimpleBlobDetector::Params params;
-  params.minArea = 12.0F;
-  params.maxArea = static_cast<float>(image.total()) / 50.0F;
-  params.minConvexity = 0.85F;
-  params.maxInertiaRatio = 1.1F;
-  params.minInertiaRatio = 0.15F;
-  params.minDistBetweenBlobs = 4.0F;
-  std::vector<cv::Point2f> points;
-  const bool found = cv::findCirclesGrid(image, {target.columns, target.rows}, points,
-                                         cv::CALIB_CB_SYMMETRIC_GRID | cv::CALIB_CB_CLUSTERING,
-                                         cv::SimpleBlobDetector::create(params));
-  return found ? points : std::vector<cv::Point2f>();
+  const int less = target.kind == TargetKind::Charuco ? 1 : 0; // inner corners of so many squares
+  return {target.columns - less, target.rows - less};
 }
 
 std::size_t seen(const Grid &grid)
@@ -45,17 +31,17 @@ std::size_t seen(const Grid &grid)
 }
 
 /** The points of the grid next to a place on it, itself left out: all eight, or as many. */
-std::vector<BoardPixel> around(const Grid &grid, const Target &target, std::size_t index)
+std::vector<BoardPixel> around(const Grid &grid, const GridSize &size, std::size_t index)
 {
   constexpr int kReach = 2; // at the border more to the other side
   constexpr std::size_t kMost = 8;
-  const int column = static_cast<int>(index) % target.columns;
-  const int row = static_cast<int>(index) / target.columns;
+  const int column = static_cast<int>(index) % size.columns;
+  const int row = static_cast<int>(index) / size.columns;
   std::vector<std::pair<int, std::size_t>> near;
-  for (int r = std::max(0, row - kReach); r <= std::min(target.rows - 1, row + kReach); ++r) {
-    for (int c = std::max(0, column - kReach); c <= std::min(target.columns - 1, column + kReach);
+  for (int r = std::max(0, row - kReach); r <= std::min(size.rows - 1, row + kReach); ++r) {
+    for (int c = std::max(0, column - kReach); c <= std::min(size.columns - 1, column + kReach);
          ++c) {
-      const auto i = static_cast<std::size_t>(r * target.columns + c);
+      const auto i = static_cast<std::size_t>(r * size.columns + c);
       if (grid[i] && i != index) {
         near.emplace_back((r - row) * (r - row) + (c - column) * (c - column), i);
       }
@@ -74,7 +60,7 @@ std::vector<BoardPixel> around(const Grid &grid, const Target &target, std::size
 std::optional<BoardMap> mapRound(const Grid &grid, const Target &target, std::size_t index,
                                  const UnifiedCamera &camera)
 {
-  std::vector<BoardPixel> points = around(grid, target, index);
+  std::vector<BoardPixel> points = around(grid, sizeOf(target), index);
   points.push_back(*grid[index]);
   return BoardMap::fit(camera, points);
 }
@@ -92,7 +78,7 @@ struct Fit
 std::optional<Fit> fitOf(const Grid &grid, const Target &target, std::size_t index,
                          const UnifiedCamera &camera)
 {
-  const auto map = BoardMap::fit(camera, around(grid, target, index));
+  const auto map = BoardMap::fit(camera, around(grid, sizeOf(target), index));
   if (!map) {
     return std::nullopt;
   }
@@ -104,18 +90,6 @@ std::optional<Fit> fitOf(const Grid &grid, const Target &target, std::size_t ind
   return Fit{(point.pixel - expected).norm(), std::max(away(1.0, 0.0), away(0.0, 1.0))};
 }
 
-/** Whether the points lie as a flat grid's do, which a wrongly ordered one's do not. */
-bool isFlat(const Grid &grid, const Target &target, const UnifiedCamera &camera)
-{
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const auto fit = grid[i] ? fitOf(grid, target, i, camera) : Fit{};
-    if (!fit || fit->aside > 0.3 * fit->pitch) {
-      return false;
-    }
-  }
-  return true;
-}
-
 /** What a board is looked for in. */
 struct Search
 {
@@ -124,26 +98,36 @@ struct Search
   UnifiedCamera camera; ///< roughly
 };
 
+/** A point of the grid to a fraction of a pixel; nothing where it is not what it seemed. */
+std::optional<Eigen::Vector2d> refinedPoint(const Search &search, const Grid &grid, std::size_t i)
+{
+  const Target &target = search.target;
+  const auto map = mapRound(grid, target, i, search.camera);
+  if (!map) {
+    return std::nullopt;
+  }
+  const auto toPicture = [&](const Eigen::Vector2d &offset) {
+    return map->toPicture(grid[i]->board + target.pitch * offset);
+  };
+  switch (target.kind) {
+  case TargetKind::CircleGrid:
+    return refineDisc(search.picture, toPicture);
+  case TargetKind::Charuco:
+    return refineSaddle(search.picture, toPicture, undisturbedReach(target));
+  default:
+    constexpr double kReach = 0.42; // pitches; the next corner is one away
+    return showsWholeCheckers(search.picture, toPicture)
+               ? refineSaddle(search.picture, toPicture, kReach)
+               : std::nullopt;
+  }
+}
+
 /** The grid with its points refined, those that do not refine left out. */
 Grid refinedGrid(const Search &search, const Grid &grid)
 {
-  const Target &target = search.target;
-  const bool checkers = target.kind == TargetKind::Chessboard;
   Grid refined(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
-    const auto map = grid[i] ? mapRound(grid, target, i, search.camera) : std::nullopt;
-    if (!map) {
-      continue;
-    }
-    const auto toPicture = [&](const Eigen::Vector2d &offset) {
-      return map->toPicture(grid[i]->board + target.pitch * offset);
-    };
-    if (checkers && !showsWholeCheckers(search.picture, toPicture)) {
-      continue;
-    }
-    constexpr double kReach = 0.42; // pitches; the next corner is one away
-    const auto pixel = checkers ? refineSaddle(search.picture, toPicture, kReach)
-                                : refineDisc(search.picture, toPicture);
+    const auto pixel = grid[i] ? refinedPoint(search, grid, i) : std::nullopt;
     if (pixel) {
       refined[i] = BoardPixel{grid[i]->board, *pixel};
     }
@@ -172,38 +156,38 @@ std::optional<BoardView> viewOf(const Search &search, const Grid &grid)
              : std::nullopt;
 }
 
-/** The grid of circles in a view of the picture. */
-std::optional<BoardView> findCircles(const Search &search, const PictureView &view)
+/** The board's points where the grid has them; nothing where less than a part of 4 x 3 shows. */
+std::optional<Grid> boardOf(const std::vector<GridPoint> &found, const Target &target,
+                            const PictureView &view)
 {
-  const std::vector<cv::Point2f> found = findDiscs(view.image, search.target);
-  if (found.empty()) {
-    return std::nullopt;
-  }
-  const std::vector<Eigen::Vector3d> points = targetPoints(search.target);
-  Grid grid;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    grid.push_back(BoardPixel{points[i].head<2>(), view.toPicture({found[i].x, found[i].y})});
-  }
-  return isFlat(grid, search.target, search.camera) ? viewOf(search, grid) : std::nullopt;
-}
-
-/** The chessboard, or as much of it as shows. */
-std::optional<BoardView> findCheckers(const Search &search)
-{
-  const Target &target = search.target;
-  const std::vector<GridCorner> corners =
-      findCheckerGrid(search.picture, {target.columns, target.rows});
-  const GridSize extent = extentOf(corners);
+  const GridSize extent = extentOf(found);
   if (std::max(extent.columns, extent.rows) < 4 || std::min(extent.columns, extent.rows) < 3) {
     return std::nullopt;
   }
   const std::vector<Eigen::Vector3d> points = targetPoints(target);
   Grid grid(points.size());
-  for (const GridCorner &corner : corners) {
-    const auto i = static_cast<std::size_t>(corner.row * target.columns + corner.column);
-    grid[i] = BoardPixel{points[i].head<2>(), corner.pixel};
+  for (const GridPoint &point : found) {
+    const auto i = static_cast<std::size_t>(point.row * target.columns + point.column);
+    grid[i] = BoardPixel{points[i].head<2>(), view.toPicture(point.pixel)};
   }
-  return viewOf(search, grid);
+  return grid;
+}
+
+/** The grid of circles in a view of the picture, or as much of it as shows. */
+std::optional<BoardView> findCircles(const Search &search, const PictureView &view)
+{
+  const GridSize size{search.target.columns, search.target.rows};
+  const auto grid = boardOf(findDiscGrid(view.image, size), search.target, view);
+  return grid ? viewOf(search, *grid) : std::nullopt;
+}
+
+/** The chessboard, or as much of it as shows. */
+std::optional<BoardView> findCheckers(const Search &search)
+{
+  const GridSize size{search.target.columns, search.target.rows};
+  const auto grid =
+      boardOf(findCheckerGrid(search.picture, size), search.target, enlarged(search.picture, 1.0));
+  return grid ? viewOf(search, *grid) : std::nullopt;
 }
 
 } // namespace
@@ -215,16 +199,39 @@ std::optional<BoardView> findGridBoard(const cv::Mat1b &picture, const Target &t
   if (target.kind == TargetKind::Chessboard) {
     return findCheckers(search);
   }
-  if (auto board = findCircles(search, enlarged(picture, 1.0))) {
-    return board;
-  }
-  for (const PatchAim &aim : aimsRound(radians(85.0))) {
-    constexpr double kScale = 1.5; // discs in pixels of their own, even near the rim
-    if (auto board = findCircles(search, straightened(picture, search.camera, aim, kScale))) {
+  for (const double scale : {1.0, 2.0}) { // small discs need room for their rims
+    if (auto board = findCircles(search, enlarged(picture, scale))) {
       return board;
     }
   }
   return std::nullopt;
+}
+
+double undisturbedReach(const Target &target)
+{
+  const double gap = (target.pitch - target.markerSide()) / 2.0;
+  const double cell = target.markerSide() / 7.0;
+  return std::min(0.4, (gap + cell) / target.pitch);
+}
+
+BoardView refineGridPoints(const cv::Mat1b &picture, const Target &target, const BoardView &view,
+                           const UnifiedCamera &camera)
+{
+  Grid grid(targetPoints(target).size());
+  for (std::size_t k = 0; k < view.ids.size(); ++k) {
+    grid[static_cast<std::size_t>(view.ids[k])] =
+        BoardPixel{view.board[k].head<2>(), view.pixels[k]};
+  }
+  const Search search{picture, target, camera};
+  BoardView refined = view;
+  for (std::size_t k = 0; k < view.ids.size(); ++k) {
+    const auto pixel = refinedPoint(search, grid, static_cast<std::size_t>(view.ids[k]));
+    constexpr double kFarthest = 0.5; // pixels; what moves farther was disturbed both times
+    if (pixel && (*pixel - view.pixels[k]).norm() < kFarthest) {
+      refined.pixels[k] = *pixel;
+    }
+  }
+  return refined;
 }
 
 } // namespace homeward

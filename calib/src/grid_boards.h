@@ -14,6 +14,13 @@ namespace homeward
 std::optional<BoardView> findGridBoard(const cv::Mat1b &picture, const Target &target,
                                        const std::optional<MirrorCircles> &mirror);
 
+/** How far a ChArUco corner looks the same from both sides: to a marker's first cells; pitches. */
+double undisturbedReach(const Target &target);
+
+/** A view with the points of a grid, ChArUco's corners too, refined by a camera that is known. */
+BoardView refineGridPoints(const cv::Mat1b &picture, const Target &target, const BoardView &view,
+                           const UnifiedCamera &camera);
+
 /** findBoard() for boards whose markers say which is which. */
 std::optional<BoardView> findMarkerBoard(const cv::Mat1b &picture, const Target &target,
                                          const std::optional<MirrorCircles> &mirror);

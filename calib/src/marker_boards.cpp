@@ -222,13 +222,10 @@ private:
     if (!map) {
       return std::nullopt;
     }
-    // Up to a marker's first cells the corner looks the same from both sides.
-    const double gap = (pitch - m_target.markerSide()) / 2.0;
-    const double cell = m_target.markerSide() / 7.0;
     return refineSaddle(
         m_picture,
         [&](const Eigen::Vector2d &offset) { return map->toPicture(point + pitch * offset); },
-        std::min(0.4, (gap + cell) / pitch));
+        undisturbedReach(m_target));
   }
 
   cv::Mat1b m_picture;

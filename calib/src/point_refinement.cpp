@@ -24,6 +24,9 @@ struct Sampled
   double step = 0.0; ///< from one sample to the next, pitches
 };
 
+constexpr double kMostBlur = 1.0;  ///< pixels
+constexpr double kBlurShare = 0.1; ///< of the pitch, so that small checkers stay apart
+
 /** @param reach from `middle` to the border, both in pitches */
 Sampled sample(const cv::Mat1b &picture, const ToPicture &toPicture, const Eigen::Vector2d &middle,
                double reach)
@@ -51,6 +54,9 @@ Sampled sample(const cv::Mat1b &picture, const ToPicture &toPicture, const Eigen
     return result;
   }
   picture(box).convertTo(real, CV_32F);
+  // Jagged edges would pull the point along; a blur moves nothing that is symmetric.
+  const double blur = std::clamp(kBlurShare * std::min(across, down), 0.3, kMostBlur);
+  cv::GaussianBlur(real, real, {}, blur);
   map -= cv::Scalar(box.x, box.y);
   cv::remap(real, result.image, map, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
   return result;

@@ -82,6 +82,20 @@ FoundBoards boardsOf(const CalibrateOptions &options, const Target &target)
   return findIn(pictures, target, options.threads);
 }
 
+/** Calibrates, and moves the boards' points to where that camera shows them. */
+Calibration calibrateRefining(FoundBoards &found, const Target &target,
+                              const CalibrationOptions &how)
+{
+  std::vector<cv::Mat> grays;
+  for (const cv::Mat &picture : found.pictures) {
+    grays.push_back(grayOf(picture));
+  }
+  CalibrationOptions quick;
+  quick.crossValidate = false;
+  found.views = refineBoards(grays, target, found.views, *calibrate(found.views, quick).model);
+  return calibrate(found.views, how);
+}
+
 /** How the picture lies: numbered markers tell whether it is flipped, else the user does. */
 CameraMount mountOf(const CalibrateOptions &options, const Target &target,
                     const Calibration &calibration)
@@ -186,7 +200,7 @@ void calibrateFromBoards(const CalibrateOptions &options)
 {
   const auto begin = std::chrono::steady_clock::now();
   const Target target = options.target.target();
-  const FoundBoards found = boardsOf(options, target);
+  FoundBoards found = boardsOf(options, target);
   if (found.views.views.empty()) {
     throw ConfigError("no " + describe(target) + " is seen in any of the " +
                       std::to_string(found.tried) +
@@ -195,7 +209,7 @@ void calibrateFromBoards(const CalibrateOptions &options)
   CalibrationOptions how;
   how.model = options.model;
   how.estimateDistortion = !options.noDistortion;
-  const Calibration calibration = calibrate(found.views, how);
+  const Calibration calibration = calibrateRefining(found, target, how);
   const auto camera = mirrorCameraOf(calibration, found, mountOf(options, target, calibration));
   writeText(options.output,
             camera ? formatMirrorCamera(*camera) : formatCameraModel(*calibration.model));

@@ -39,7 +39,11 @@ struct CalibratedView
 struct Calibration
 {
   std::shared_ptr<const CameraModel> model;
-  Eigen::MatrixXd covariance;        ///< of the parameters, in their order; zero where held
+  /**
+   * Of the parameters, in their order; zero where held. With cross-validation no smaller than the
+   * parameters' scatter when views are left out.
+   */
+  Eigen::MatrixXd covariance;
   std::vector<bool> estimated;       ///< which parameters are; the others are held at zero
   std::vector<CalibratedView> views; ///< as the views given
   double rms = 0.0;                  ///< pixels, all points

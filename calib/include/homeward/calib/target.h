@@ -14,7 +14,7 @@ namespace homeward
 enum class TargetKind
 {
   Chessboard, ///< cheapest; a part of 4 x 3 corners will do
-  CircleGrid, ///< discs on a regular grid; the whole board must be seen
+  CircleGrid, ///< discs on a regular grid; a part of 4 x 3 discs will do
   AprilGrid,  ///< tags of the family 36h11, each known by itself; partial boards count
   Charuco     ///< a chessboard with markers of 5x5 bits in its white squares; partial boards count
 };
