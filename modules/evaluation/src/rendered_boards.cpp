@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/evaluation/rendered_boards.h>
+
+#include <homeward/core/random.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace homeward
+{
+
+namespace
+{
+
+constexpr std::uint32_t kHeldStream = 402;
+constexpr std::uint32_t kBoardNoiseStream = 403;
+constexpr double kResolution = 4000.0; ///< pixels a metre of the print
+constexpr double kGoldenAngle = 2.399963;
+constexpr double kPaper = 0.85; ///< what paper and ink reflect, linear
+constexpr double kInk = 0.03;
+
+/** The art as a printer lays it down, CV_8UC3, sRGB-coded. */
+cv::Mat printed(const TargetArt &art)
+{
+  constexpr int kShift = 8; // pixels are given in 1/256
+  const auto coded = [](double linear) { return cvRound(255.0 * std::pow(linear, 1.0 / 2.2)); };
+  const auto inPixels = [](double metres) { return cvRound(metres * kResolution); };
+  const auto at = [](double metres) { return cvRound((metres * kResolution - 0.5) * 256.0); };
+  cv::Mat print(inPixels(art.height), inPixels(art.width), CV_8UC3, cv::Scalar::all(coded(kPaper)));
+  for (const ArtRectangle &r : art.rectangles) {
+    const cv::Point corner(inPixels(r.x), inPixels(r.y));
+    const cv::Point opposite(inPixels(r.x + r.width), inPixels(r.y + r.height));
+    print(cv::Rect(corner, opposite)).setTo(cv::Scalar::all(coded(kInk)));
+  }
+  for (const ArtDisc &disc : art.discs) {
+    cv::circle(print, {at(disc.x), at(disc.y)}, cvRound(disc.radius * kResolution * 256.0),
+               cv::Scalar::all(coded(kInk)), cv::FILLED, cv::LINE_AA, kShift);
+  }
+  return print;
+}
+
+/** The room with a printed sheet in it, to be moved about. */
+class SheetInRoom
+{
+public:
+  SheetInRoom(const Scene &room, const TargetArt &art) : m_scene(room), m_origin(art.origin)
+  {
+    const cv::Mat print = printed(art);
+    m_width = print.cols / kResolution;
+    m_height = print.rows / kResolution;
+    Material paper;
+    paper.diffuse.setOnes();
+    paper.texture = static_cast<int>(m_scene.textures.size());
+    m_scene.textures.push_back(makeTexture(print));
+    Mesh sheet;
+    sheet.model = "board";
+    sheet.material = static_cast<int>(m_scene.materials.size());
+    m_scene.materials.push_back(paper);
+    sheet.uvs = {{0.0F, 1.0F}, {1.0F, 1.0F}, {1.0F, 0.0F}, {0.0F, 0.0F}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    m_scene.visuals.push_back(sheet);
+  }
+
+  /** The scene with the target's frame o at wMo. */
+  std::shared_ptr<const Scene> at(const Eigen::Isometry3d &wMo)
+  {
+    std::vector<Eigen::Vector3f> &vertices = m_scene.visuals.back().vertices;
+    vertices.clear();
+    for (const Eigen::Vector2d &corner :
+         {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(m_width, 0.0),
+          Eigen::Vector2d(m_width, m_height), Eigen::Vector2d(0.0, m_height)}) {
+      const Eigen::Vector2d onBoard = corner - m_origin;
+      const Eigen::Vector3d inWorld = wMo * Eigen::Vector3d(onBoard.x(), onBoard.y(), 0.0);
+      vertices.emplace_back(inWorld.cast<float>());
+    }
+    return std::make_shared<const Scene>(m_scene);
+  }
+
+private:
+  Scene m_scene;
+  Eigen::Vector2d m_origin;
+  double m_width = 0.0;
+  double m_height = 0.0;
+};
+
+} // namespace
+
+std::vector<Eigen::Isometry3d> heldBoardPoses(const Target &target, const HeldBoards &held)
+{
+  const auto points = targetPoints(target);
+  const Eigen::Vector3d middle =
+      std::accumulate(points.begin(), points.end(), Eigen::Vector3d(0.0, 0.0, 0.0)) /
+      static_cast<double>(points.size());
+  Random random(held.seed, kHeldStream);
+  std::vector<Eigen::Isometry3d> poses;
+  for (int i = 0; i < held.count; ++i) {
+    const double azimuth = kGoldenAngle * i; // spreads them
+    const double elevation = held.highest - radians(20.0) * (i % 3);
+    const Eigen::Vector3d towards(std::cos(elevation) * std::cos(azimuth),
+                                  std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    Eigen::Matrix3d facing; // z away from the mirror, y down
+    facing.col(2) = towards;
+    facing.col(0) = towards.cross(Eigen::Vector3d::UnitZ()).normalized();
+    facing.col(1) = facing.col(2).cross(facing.col(0));
+    Eigen::Isometry3d pMo = Eigen::Isometry3d::Identity();
+    pMo.linear() = facing;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double most = axis == 2 ? held.turn : held.tilt;
+      pMo.rotate(Eigen::AngleAxisd(random.uniform(-most, most), Eigen::Vector3d::Unit(axis)));
+    }
+    pMo.translation() =
+        random.uniform(held.nearest, held.farthest) * towards - pMo.linear() * middle;
+    poses.push_back(pMo);
+  }
+  return poses;
+}
+
+std::vector<cv::Mat> renderBoards(const BoardStudio &studio, const Target &target,
+                                  const std::vector<Eigen::Isometry3d> &poses,
+                                  const Progress &progress)
+{
+  checkTarget(target);
+  SheetInRoom sheet(*studio.room, drawTarget(target));
+  const Lighting lighting = lightingFor(studio.light, *studio.room);
+  const TrueOptics optics = exactOptics(studio.camera);
+  Random noise(studio.seed, kBoardNoiseStream);
+  std::vector<cv::Mat> pictures;
+  for (const Eigen::Isometry3d &pMo : poses) {
+    MirrorRenderer renderer(sheet.at(studio.wMp * pMo), lighting, optics, studio.rendering);
+    cv::Mat gray;
+    cv::cvtColor(renderer.render(studio.wMp, noise), gray, cv::COLOR_BGR2GRAY);
+    pictures.push_back(gray);
+    if (progress) {
+      progress(pictures.size(), poses.size());
+    }
+  }
+  return pictures;
+}
+
+} // namespace homeward
