@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 
 namespace homeward
@@ -136,8 +137,14 @@ TEST_P(PicturesToCamera, giveTheTrueMirror)
   EXPECT_NEAR(parameter(found, "cy"), truth.cy, 0.002 * kHeight);
   constexpr double kThreeSigma = 11.83; // chi-square of two degrees of freedom, 99.73 %
   EXPECT_LT(distanceFrom(truth, found), kThreeSigma);
-  EXPECT_LE(largestRayError(studio.camera, *found.model), 0.05);
+  const double rayError = largestRayError(studio.camera, *found.model);
+  EXPECT_LE(rayError, 0.05);
   EXPECT_LE(found.rms, 0.15);
+  std::printf("f / (1 + xi) %.3f of %.0f, centre %.2f and %.2f pixels off, rays %.3f degrees, rms "
+              "%.3f pixels\n",
+              parameter(found, "fx") / (1.0 + parameter(found, "xi")), kRadius,
+              parameter(found, "cx") - truth.cx, parameter(found, "cy") - truth.cy, rayError,
+              found.rms);
 }
 
 INSTANTIATE_TEST_SUITE_P(Mirrors, PicturesToCamera,
