@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 #include "files.h"
+#include "mission_robot.h"
+#include "mission_setup.h"
+#include "mount_drive.h"
 #include "rig_check.h"
+#include "stop_signal.h"
 
 #include <homeward/core/error.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -25,11 +30,10 @@ struct CheckArguments
   std::string json;
 };
 
-/** The operator's word that the robot may move. */
-bool confirmed()
+/** The operator's word that the robot may move. @param what it will do, and the room it needs */
+bool confirmed(const char *what)
 {
-  std::printf("The robot will turn left by 30 degrees and drive 15 cm ahead. Is there a metre free "
-              "round it? Type yes: ");
+  std::printf("The robot will %s? Type yes: ", what);
   std::fflush(stdout);
   std::string word;
   return std::getline(std::cin, word) && word == "yes";
@@ -63,7 +67,8 @@ int check(const CheckArguments &arguments)
   json["findings"] = nlohmann::json::array();
   bool good = report(checkDevices(files, arguments.seconds), json);
   if (arguments.move && good) {
-    if (!confirmed()) {
+    if (!confirmed(
+            "turn left by 30 degrees and drive 15 cm ahead. Is there a metre free round it")) {
       throw RuntimeError("not confirmed: the robot has not moved");
     }
     good = report(checkMotion(files), json);
@@ -73,12 +78,57 @@ int check(const CheckArguments &arguments)
   return good ? kExitDone : kExitFailed;
 }
 
+struct DriveArguments
+{
+  RobotArguments robot;
+  std::string folder;
+};
+
+int drive(const DriveArguments &arguments)
+{
+  if (std::filesystem::exists(arguments.folder)) {
+    throw ConfigError(arguments.folder + ": is there already; name a new folder");
+  }
+  const auto robot = makeMissionRobot(arguments.robot);
+  if (robot->runsByItself() &&
+      !confirmed(
+          "turn once on the spot and drive up to 1.5 m ahead. Are two metres free round it")) {
+    throw RuntimeError("not confirmed: the robot has not moved");
+  }
+  const RobotFiles &files = robot->files();
+  try {
+    const DataSet set =
+        driveForMount(robot->devices(), files.robot, files.camera, {}, stopSignal(),
+                      [](int taken) { showProgress("picture " + std::to_string(taken)); });
+    endProgress();
+    set.write(arguments.folder);
+    std::printf("%zu pictures; wrote %s\n", set.size(), arguments.folder.c_str());
+  }
+  catch (const StopRequested &) {
+    throw RuntimeError("stopped; the robot stands, nothing is written");
+  }
+  return kExitDone;
+}
+
+void addDriveCommand(CliCommand rig)
+{
+  auto arguments = std::make_shared<DriveArguments>();
+  CliCommand command =
+      rig.command("drive", "A turn on the spot and a straight line, for homeward-calibrate mount");
+  command.examples("Example: homeward rig drive drive/ --rig my_rig.yaml");
+  command.option("folder", arguments->folder, "Data set folder to write").required();
+  addRobotArguments(command, arguments->robot);
+  command.remove("--truth");
+  command.run([arguments] { return drive(*arguments); });
+}
+
 } // namespace
 
 void addRigCommand(CliCommand app)
 {
   CliCommand rig = app.command("rig", "Look after the robot that a rig file names");
   rig.requireCommand();
+  addDriveCommand(rig);
   auto arguments = std::make_shared<CheckArguments>();
   CliCommand command = rig.command("check", "Test every device; nothing moves unless asked");
   command.examples("Example: homeward rig check my_rig.yaml --move");

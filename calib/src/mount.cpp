@@ -21,15 +21,70 @@ namespace
 /** One bearing, with landmarks counted from 0. */
 struct Sight
 {
-  Pose2 oMr;
+  std::size_t place; ///< of the drive
   Eigen::Index landmark;
   double bearing;
 };
 
-/** Mount (x, y, heading) and landmarks, one after the other. */
+/** Mount (x, y, heading), how much more each step turned than odometry says, and landmarks. */
 using Unknowns = Eigen::VectorXd;
 
 constexpr Eigen::Index kMount = 3;
+
+/** The odometry of a drive as steps from place to place. */
+class Way
+{
+public:
+  explicit Way(const std::vector<MountSample> &drive)
+  {
+    for (std::size_t i = 0; i < drive.size(); ++i) {
+      m_steps.push_back(i == 0 ? drive[0].oMr : drive[i - 1].oMr.inverse() * drive[i].oMr);
+    }
+  }
+
+  /** Unknowns that come before the landmarks: the mount's and one a step. */
+  Eigen::Index own() const { return kMount + static_cast<Eigen::Index>(m_steps.size()) - 1; }
+
+  std::vector<Pose2> places(const Unknowns &x) const
+  {
+    std::vector<Pose2> result;
+    for (const Pose2 &step : m_steps) {
+      const auto i = static_cast<Eigen::Index>(result.size());
+      result.push_back(
+          i == 0 ? step : result.back() * Pose2{step.x, step.y, step.heading + x[kMount + i - 1]});
+    }
+    return result;
+  }
+
+  /** The unknowns of a camera in the robot's middle, where every turn is a share longer. */
+  Unknowns start(double yaw, double slip) const
+  {
+    Unknowns x = Unknowns::Zero(own());
+    x[2] = yaw;
+    for (std::size_t i = 1; i < m_steps.size(); ++i) {
+      x[kMount + static_cast<Eigen::Index>(i) - 1] = slip * m_steps[i].heading;
+    }
+    return x;
+  }
+
+  /** Standard deviation of what a step turns more: wheels that skid, and a little in any case. */
+  double sigma(Eigen::Index step) const
+  {
+    constexpr double kShare = 0.1;
+    constexpr double kLeast = 0.002; // radians
+    return kLeast + kShare * std::abs(m_steps[static_cast<std::size_t>(step) + 1].heading);
+  }
+
+private:
+  std::vector<Pose2> m_steps; ///< the first one is a place
+};
+
+/** What was seen on the way. */
+struct Seen
+{
+  Way way;
+  std::vector<Sight> sights;
+};
 
 std::vector<Sight> sightsOf(const std::vector<MountSample> &drive, int &landmarks)
 {
@@ -40,18 +95,25 @@ std::vector<Sight> sightsOf(const std::vector<MountSample> &drive, int &landmark
       ++counts[seen.landmark];
     }
   }
-  std::map<int, Eigen::Index> index;
+  constexpr std::size_t kMost = 250; // those seen most often
+  std::vector<std::pair<int, int>> often;
   for (const auto &[id, count] : counts) {
     if (count >= kFewestSights) {
-      index.emplace(id, static_cast<Eigen::Index>(index.size()));
+      often.emplace_back(-count, id);
     }
   }
+  std::sort(often.begin(), often.end());
+  often.resize(std::min(often.size(), kMost));
+  std::map<int, Eigen::Index> index;
+  for (const auto &[count, id] : often) {
+    index.emplace(id, static_cast<Eigen::Index>(index.size()));
+  }
   std::vector<Sight> sights;
-  for (const MountSample &sample : drive) {
-    for (const LandmarkBearing &seen : sample.bearings) {
+  for (std::size_t place = 0; place < drive.size(); ++place) {
+    for (const LandmarkBearing &seen : drive[place].bearings) {
       const auto found = index.find(seen.landmark);
       if (found != index.end()) {
-        sights.push_back({sample.oMr, found->second, seen.bearing});
+        sights.push_back({place, found->second, seen.bearing});
       }
     }
   }
@@ -87,46 +149,60 @@ void checkDrive(const std::vector<MountSample> &drive, int landmarks)
   }
 }
 
-/** Seen minus predicted, and the gradient of the prediction. */
-double residual(const Sight &sight, const Unknowns &x, Eigen::Matrix<double, 1, 5> *J = nullptr)
+/**
+ * Seen minus predicted, and the gradient of the prediction.
+ * @param J by the unknowns of the way; only those before the place are not zero
+ * @param Jl by the landmark
+ */
+double residual(const Sight &sight, const std::vector<Pose2> &places, Eigen::Index own,
+                const Unknowns &x, Eigen::RowVectorXd *J = nullptr,
+                Eigen::RowVector2d *Jl = nullptr)
 {
-  const double heading = sight.oMr.heading;
-  const Eigen::Vector2d eye = sight.oMr * Eigen::Vector2d(x.head<2>());
-  const Eigen::Vector2d away = x.segment<2>(kMount + 2 * sight.landmark) - eye;
-  const double length2 = std::max(away.squaredNorm(), 1e-12);
+  const Pose2 &oMr = places[sight.place];
+  const Eigen::Vector2d eye = oMr * Eigen::Vector2d(x.head<2>());
+  const Eigen::Vector2d away = x.segment<2>(own + 2 * sight.landmark) - eye;
   if (J != nullptr) {
-    const Eigen::RowVector2d across = Eigen::RowVector2d(-away.y(), away.x()) / length2;
-    Eigen::Matrix2d R;
-    R << std::cos(heading), -std::sin(heading), std::sin(heading), std::cos(heading);
-    *J << -across * R, -1.0, across;
+    *Jl = Eigen::RowVector2d(-away.y(), away.x()) / std::max(away.squaredNorm(), 1e-12);
+    J->setZero(own);
+    J->head<2>() = -*Jl * Eigen::Rotation2Dd(oMr.heading).toRotationMatrix();
+    (*J)[2] = -1.0;
+    for (std::size_t step = 1; step <= sight.place; ++step) {
+      // All that comes after a step turns about where it ended.
+      const Eigen::Vector2d arm = eye - places[step].translation();
+      (*J)[kMount + static_cast<Eigen::Index>(step) - 1] =
+          -Jl->dot(Eigen::RowVector2d(-arm.y(), arm.x())) - 1.0;
+    }
   }
-  return wrapAngle(sight.bearing - std::atan2(away.y(), away.x()) + heading + x[2]);
+  return wrapAngle(sight.bearing - std::atan2(away.y(), away.x()) + oMr.heading + x[2]);
 }
 
 /**
- * Landmarks where their sights cross, for a camera in the robot's middle with this yaw. What was
- * seen on the spot alone crosses in the camera itself: a weak belief puts it some metres away.
+ * The start with landmarks where their sights cross. What was seen on the spot alone crosses in the
+ * camera itself: a weak belief puts it some metres away.
  */
-Unknowns crossed(const std::vector<Sight> &sights, int landmarks, double yaw)
+Unknowns crossed(const Seen &seen, int landmarks, const Unknowns &start)
 {
   constexpr double kUsual = 3.0;    // metres
   constexpr double kBelief = 0.002; // of a sight
   const auto count = static_cast<std::size_t>(landmarks);
   std::vector<Eigen::Matrix2d> A(count, Eigen::Matrix2d::Zero());
   std::vector<Eigen::Vector2d> b(count, Eigen::Vector2d::Zero());
-  for (const Sight &sight : sights) {
-    const double angle = sight.bearing + sight.oMr.heading + yaw;
+  const Eigen::Index own = start.size();
+  const std::vector<Pose2> places = seen.way.places(start);
+  for (const Sight &sight : seen.sights) {
+    const Pose2 &oMr = places[sight.place];
+    const double angle = sight.bearing + oMr.heading + start[2];
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d normal(-along.y(), along.x());
-    const Eigen::Vector2d eye = sight.oMr.translation();
+    const Eigen::Vector2d eye = oMr.translation();
     const auto i = static_cast<std::size_t>(sight.landmark);
     A[i] += normal * normal.transpose() + kBelief * Eigen::Matrix2d::Identity();
     b[i] += normal * normal.dot(eye) + kBelief * (eye + kUsual * along);
   }
-  Unknowns x = Unknowns::Zero(kMount + 2 * landmarks);
-  x[2] = yaw;
+  Unknowns x(own + 2 * landmarks);
+  x.head(own) = start;
   for (std::size_t i = 0; i < count; ++i) {
-    x.segment<2>(kMount + 2 * static_cast<Eigen::Index>(i)) = A[i].inverse() * b[i];
+    x.segment<2>(own + 2 * static_cast<Eigen::Index>(i)) = A[i].inverse() * b[i];
   }
   return x;
 }
@@ -137,11 +213,12 @@ double weightOf(double error, double scale)
   return std::abs(error) <= kHuber * scale ? 1.0 : kHuber * scale / std::abs(error);
 }
 
-double scaleOf(const std::vector<Sight> &sights, const Unknowns &x)
+double scaleOf(const Seen &seen, const Unknowns &x)
 {
+  const std::vector<Pose2> places = seen.way.places(x);
   std::vector<double> errors;
-  for (const Sight &sight : sights) {
-    errors.push_back(std::abs(residual(sight, x)));
+  for (const Sight &sight : seen.sights) {
+    errors.push_back(std::abs(residual(sight, places, seen.way.own(), x)));
   }
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
   std::nth_element(errors.begin(), middle, errors.end());
@@ -150,47 +227,65 @@ double scaleOf(const std::vector<Sight> &sights, const Unknowns &x)
   return std::max(kMad * *middle, kFinest);
 }
 
-double costOf(const std::vector<Sight> &sights, const Unknowns &x, double scale)
+double costOf(const Seen &seen, const Unknowns &x, double scale)
 {
   constexpr double kHuber = 2.0;
+  const std::vector<Pose2> places = seen.way.places(x);
   double sum = 0.0;
-  for (const Sight &sight : sights) {
-    const double s = std::abs(residual(sight, x)) / scale;
+  for (const Sight &sight : seen.sights) {
+    const double s = std::abs(residual(sight, places, seen.way.own(), x)) / scale;
     sum += s <= kHuber ? s * s : 2.0 * kHuber * s - kHuber * kHuber;
+  }
+  for (Eigen::Index step = 0; step < seen.way.own() - kMount; ++step) {
+    const double s = x[kMount + step] / seen.way.sigma(step);
+    sum += s * s;
   }
   return sum;
 }
 
-/** Normal equations of the mount and of landmarks, which meet only in the mount. */
+/** Normal equations of the way's unknowns and of landmarks, which meet only in the former. */
 struct NormalEquations
 {
   /** One landmark's part. */
   struct Landmark
   {
     Eigen::Matrix2d own = Eigen::Matrix2d::Zero();
-    Eigen::Matrix<double, 3, 2> withMount = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::MatrixX2d withWay;
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   };
 
-  Eigen::Matrix3d mount = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  Eigen::MatrixXd way;
+  Eigen::VectorXd gradient;
   std::vector<Landmark> landmarks;
 
-  NormalEquations(const std::vector<Sight> &sights, const Unknowns &x, double scale)
-      : landmarks(static_cast<std::size_t>((x.size() - kMount) / 2))
+  NormalEquations(const Seen &seen, const Unknowns &x, double scale)
   {
-    Eigen::Matrix<double, 1, 5> J;
-    for (const Sight &sight : sights) {
-      const double error = residual(sight, x, &J);
+    const Eigen::Index own = seen.way.own();
+    way.setZero(own, own);
+    gradient.setZero(own);
+    landmarks.resize(static_cast<std::size_t>((x.size() - own) / 2));
+    for (Landmark &landmark : landmarks) {
+      landmark.withWay.setZero(own, 2);
+    }
+    const std::vector<Pose2> places = seen.way.places(x);
+    Eigen::RowVectorXd J;
+    Eigen::RowVector2d Jl;
+    for (const Sight &sight : seen.sights) {
+      const double error = residual(sight, places, own, x, &J, &Jl);
       const double weight = weightOf(error, scale);
-      const auto Jm = J.head<3>();
-      const auto Jl = J.tail<2>();
+      const Eigen::Index used = kMount + static_cast<Eigen::Index>(sight.place);
+      const auto Jw = J.head(used);
       Landmark &landmark = landmarks[static_cast<std::size_t>(sight.landmark)];
-      mount += weight * Jm.transpose() * Jm;
-      gradient += weight * error * Jm.transpose();
+      way.topLeftCorner(used, used).noalias() += weight * Jw.transpose() * Jw;
+      gradient.head(used) += weight * error * Jw.transpose();
       landmark.own += weight * Jl.transpose() * Jl;
-      landmark.withMount += weight * Jm.transpose() * Jl;
+      landmark.withWay.topRows(used) += weight * Jw.transpose() * Jl;
       landmark.gradient += weight * error * Jl.transpose();
+    }
+    for (Eigen::Index step = 0; step < own - kMount; ++step) {
+      const double weight = scale * scale / (seen.way.sigma(step) * seen.way.sigma(step));
+      way(kMount + step, kMount + step) += weight;
+      gradient[kMount + step] -= weight * x[kMount + step];
     }
   }
 
@@ -198,53 +293,55 @@ struct NormalEquations
   void damp(double share)
   {
     constexpr double kLeast = 1e-12;
-    mount.diagonal() *= 1.0 + share;
-    mount.diagonal().array() += kLeast;
+    way.diagonal() *= 1.0 + share;
+    way.diagonal().array() += kLeast;
     for (Landmark &landmark : landmarks) {
       landmark.own.diagonal() *= 1.0 + share;
       landmark.own.diagonal().array() += kLeast;
     }
   }
 
-  /** What is left for the mount when every landmark follows it (Schur's complement). */
-  Eigen::Matrix3d reduced() const
+  /** What is left for the way when every landmark follows it (Schur's complement). */
+  Eigen::MatrixXd reduced() const
   {
-    Eigen::Matrix3d S = mount;
+    Eigen::MatrixXd S = way;
     for (const Landmark &landmark : landmarks) {
-      S -= landmark.withMount * landmark.own.inverse() * landmark.withMount.transpose();
+      const Eigen::MatrixX2d half = landmark.withWay * landmark.own.inverse();
+      S.noalias() -= half * landmark.withWay.transpose();
     }
     return S;
   }
 
   Unknowns solve() const
   {
-    Eigen::Vector3d right = gradient;
+    Eigen::VectorXd right = gradient;
     for (const Landmark &landmark : landmarks) {
-      right -= landmark.withMount * landmark.own.inverse() * landmark.gradient;
+      right -= landmark.withWay * (landmark.own.inverse() * landmark.gradient);
     }
-    Unknowns step(kMount + 2 * static_cast<Eigen::Index>(landmarks.size()));
-    step.head<3>() = reduced().ldlt().solve(right);
+    const Eigen::Index own = way.rows();
+    Unknowns step(own + 2 * static_cast<Eigen::Index>(landmarks.size()));
+    step.head(own) = reduced().ldlt().solve(right);
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const Landmark &landmark = landmarks[i];
-      step.segment<2>(kMount + 2 * static_cast<Eigen::Index>(i)) =
+      step.segment<2>(own + 2 * static_cast<Eigen::Index>(i)) =
           landmark.own.inverse() *
-          (landmark.gradient - landmark.withMount.transpose() * step.head<3>());
+          (landmark.gradient - landmark.withWay.transpose() * step.head(own));
     }
     return step;
   }
 };
 
-Unknowns refined(const std::vector<Sight> &sights, Unknowns x, int steps)
+Unknowns refined(const Seen &seen, Unknowns x, int steps)
 {
   double damping = 1e-3;
   for (int i = 0; i < steps; ++i) {
-    const double scale = scaleOf(sights, x);
-    const double cost = costOf(sights, x, scale);
-    NormalEquations equations(sights, x, scale);
+    const double scale = scaleOf(seen, x);
+    const double cost = costOf(seen, x, scale);
+    NormalEquations equations(seen, x, scale);
     equations.damp(damping);
     const Unknowns next = x + equations.solve();
-    if (next.allFinite() && costOf(sights, next, scale) <= cost) {
-      const bool rests = (next - x).norm() < 1e-9;
+    if (next.allFinite() && costOf(seen, next, scale) <= cost) {
+      const bool rests = (next - x).norm() < 1e-7;
       x = next;
       damping = std::max(0.1 * damping, 1e-12);
       if (rests) {
@@ -263,26 +360,40 @@ Unknowns refined(const std::vector<Sight> &sights, Unknowns x, int steps)
 MountEstimate calibrateMount(const std::vector<MountSample> &drive)
 {
   MountEstimate estimate;
-  const std::vector<Sight> sights = sightsOf(drive, estimate.landmarks);
+  const Seen seen{Way(drive), sightsOf(drive, estimate.landmarks)};
   checkDrive(drive, estimate.landmarks);
-  // The starts in whose middle the sights cross best are followed.
+  // The starts whose sights cross best are followed, first a few steps, then to their end.
   constexpr int kYaws = 24;
-  constexpr int kFirstSteps = 4;
-  constexpr int kLastSteps = 60;
-  constexpr std::size_t kFollowed = 3;
+  constexpr int kSlips = 6; // either way
+  constexpr double kSlip = 0.02;
+  constexpr int kFirstSteps = 8;
+  constexpr int kLastSteps = 150;
+  constexpr std::size_t kTried = 8;
+  constexpr std::size_t kFollowed = 2;
   std::vector<std::pair<double, Unknowns>> starts;
+  const auto sortStarts = [&](std::size_t kept) {
+    std::sort(starts.begin(), starts.end(),
+              [](const auto &a, const auto &b) { return a.first < b.first; });
+    starts.resize(kept);
+  };
   for (int i = 0; i < kYaws; ++i) {
-    const Unknowns x = refined(
-        sights, crossed(sights, estimate.landmarks, 2.0 * kPi * i / kYaws - kPi), kFirstSteps);
-    starts.emplace_back(scaleOf(sights, x), x);
+    for (int k = -kSlips; k <= kSlips; ++k) {
+      const Unknowns start = seen.way.start(2.0 * kPi * i / kYaws - kPi, kSlip * k);
+      const Unknowns x = crossed(seen, estimate.landmarks, start);
+      starts.emplace_back(scaleOf(seen, x), x);
+    }
   }
-  std::sort(starts.begin(), starts.end(),
-            [](const auto &a, const auto &b) { return a.first < b.first; });
+  sortStarts(kTried);
+  for (auto &[scale, x] : starts) {
+    x = refined(seen, x, kFirstSteps);
+    scale = scaleOf(seen, x);
+  }
+  sortStarts(kFollowed);
   Unknowns best;
   double scale = 0.0;
   for (std::size_t i = 0; i < kFollowed; ++i) {
-    const Unknowns x = refined(sights, starts[i].second, kLastSteps);
-    const double here = scaleOf(sights, x);
+    const Unknowns x = refined(seen, starts[i].second, kLastSteps);
+    const double here = scaleOf(seen, x);
     if (best.size() == 0 || here < scale) {
       best = x;
       scale = here;
@@ -290,16 +401,18 @@ MountEstimate calibrateMount(const std::vector<MountSample> &drive)
   }
   double sum = 0.0;
   double weighted = 0.0;
-  for (const Sight &sight : sights) {
-    const double error = residual(sight, best);
+  const std::vector<Pose2> places = seen.way.places(best);
+  for (const Sight &sight : seen.sights) {
+    const double error = residual(sight, places, seen.way.own(), best);
     sum += error * error;
     weighted += weightOf(error, scale) * error * error;
   }
-  NormalEquations equations(sights, best, scale);
+  NormalEquations equations(seen, best, scale);
   equations.damp(0.0);
-  const double spare = std::max(static_cast<double>(sights.size()) - double(best.size()), 1.0);
-  estimate.covariance = equations.reduced().inverse() * weighted / spare;
-  estimate.rms = std::sqrt(sum / static_cast<double>(sights.size()));
+  const double spare = std::max(static_cast<double>(seen.sights.size()) - double(best.size()), 1.0);
+  const Eigen::MatrixXd covariance = equations.reduced().inverse() * weighted / spare;
+  estimate.covariance = covariance.topLeftCorner<kMount, kMount>();
+  estimate.rms = std::sqrt(sum / static_cast<double>(seen.sights.size()));
   estimate.rMp = {best[0], best[1], wrapAngle(best[2])};
   if (!estimate.covariance.allFinite() || (estimate.covariance.diagonal().array() < 0.0).any()) {
     throw ConfigError("the drive leaves the camera's place on the robot open; turn on the spot, "

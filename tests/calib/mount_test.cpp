@@ -22,6 +22,7 @@ struct Drive
   double turn = 2.0 * kPi;
   double way = 1.5;
   double outliers = 0.0;
+  double slip = 0.0; ///< share by which the robot turns more than odometry says
 };
 
 std::vector<MountSample> driven(const Pose2 &rMp, const Drive &plan, std::uint64_t seed)
@@ -43,9 +44,12 @@ std::vector<MountSample> driven(const Pose2 &rMp, const Drive &plan, std::uint64
     poses.push_back({along * std::cos(heading), along * std::sin(heading), heading});
   }
   std::vector<MountSample> drive;
-  for (const Pose2 &oMr : poses) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Pose2 &oMr = poses[k];
     MountSample sample{oMr, {}};
-    const Pose2 pMo = (oMr * rMp).inverse();
+    const double turned = plan.turn * std::min(static_cast<double>(k), 24.0) / 24.0;
+    const Pose2 excess{0.0, 0.0, plan.slip * turned};
+    const Pose2 pMo = (excess * oMr * rMp).inverse();
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
       const Eigen::Vector2d seen = pMo * landmarks[i];
       double bearing = std::atan2(seen.y(), seen.x()) + random.normal(kNoise);
@@ -92,6 +96,19 @@ TEST(Mount, WrongBearingsDoLittleHarm)
   EXPECT_NEAR(found.rMp.heading, truth.heading, radians(1.0));
 }
 
+TEST(Mount, TurnsThatOdometryMissesAreFound)
+{
+  const Pose2 truth{0.1, -0.05, 1.2};
+  for (const double slip : {-0.08, 0.05}) {
+    Drive plan;
+    plan.slip = slip;
+    const MountEstimate found = calibrateMount(driven(truth, plan, 4));
+    EXPECT_NEAR(found.rMp.x, truth.x, 0.01);
+    EXPECT_NEAR(found.rMp.y, truth.y, 0.01);
+    EXPECT_NEAR(found.rMp.heading, truth.heading, radians(0.5));
+  }
+}
+
 std::string refusal(const std::vector<MountSample> &drive)
 {
   try {
@@ -106,8 +123,9 @@ std::string refusal(const std::vector<MountSample> &drive)
 TEST(Mount, SaysWhatWasNotDriven)
 {
   const Pose2 truth{0.1, 0.0, 0.3};
-  EXPECT_THAT(refusal(driven(truth, {2.0 * kPi, 0.1, 0.0}, 1)), testing::HasSubstr("straight"));
-  EXPECT_THAT(refusal(driven(truth, {0.1, 1.5, 0.0}, 1)), testing::HasSubstr("turn of 90"));
+  EXPECT_THAT(refusal(driven(truth, {2.0 * kPi, 0.1, 0.0, 0.0}, 1)),
+              testing::HasSubstr("straight"));
+  EXPECT_THAT(refusal(driven(truth, {0.1, 1.5, 0.0, 0.0}, 1)), testing::HasSubstr("turn of 90"));
   EXPECT_THAT(refusal({}), testing::HasSubstr("drove"));
   auto drive = driven(truth, {}, 1);
   for (MountSample &sample : drive) {

@@ -4,7 +4,10 @@
 #include "sim_process.h"
 #include "test_paths.h"
 
+#include <homeward/calib/bearing_tracks.h>
+#include <homeward/calib/mount.h>
 #include <homeward/core/angle.h>
+#include <homeward/dataset/data_set.h>
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -196,6 +199,26 @@ TEST(JudgeMotion, FindsWhatIsMountedTheWrongWayRound)
   seen = asItShould();
   seen.cameraTurn = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaints(seen), "");
+}
+
+TEST_F(RigTest, DriveRecordsWhatTellsWhereTheCameraSits)
+{
+  const std::string drive = folder / "drive";
+  EXPECT_EQ(runProgram("rig drive " + drive + " --rig " + rigFile(), "echo no | ").status, 1);
+  EXPECT_FALSE(std::filesystem::exists(drive));
+  const ProgramRun run = runProgram("rig drive " + drive + " --rig " + rigFile(), "echo yes | ");
+  ASSERT_EQ(run.status, 0) << run.output;
+  const DataSet set = DataSet::read(drive);
+  std::vector<DriveView> views;
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    views.push_back({set.view(i).pose, set.panorama(i)});
+  }
+  const MountEstimate mount = calibrateMount(trackBearings(views, set.visible()));
+  EXPECT_NEAR(mount.rMp.x, 0.0, 0.03);
+  EXPECT_NEAR(mount.rMp.y, 0.0, 0.03);
+  // Its camera file has the centre up to 3 pixels wrong, 1.4 degrees of a bearing, and no tilt.
+  EXPECT_NEAR(mount.rMp.heading, 0.0, radians(2.5));
+  EXPECT_EQ(runProgram("rig drive " + drive + " --rig " + rigFile(), "echo yes | ").status, 2);
 }
 
 } // namespace

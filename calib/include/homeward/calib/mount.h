@@ -36,7 +36,8 @@ struct MountEstimate
 /**
  * Yaw and offset of the camera from a short drive: a turn on the spot shows the offset, a straight
  * line the yaw. Landmarks may stand anywhere, nobody needs to know where; they are estimated along,
- * least squares on the bearings with Huber's weights. Odometry is believed, and gives the scale.
+ * least squares on the bearings with Huber's weights. Odometry gives the scale; how far its turns
+ * are wrong is estimated too, for wheels that skid through a whole turn miss it by several degrees.
  * @throw ConfigError with what to drive when less than a quarter turn or 0.5 m was driven, or fewer
  * than three landmarks were seen from three places each
  */
