@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <vector>
 
 namespace homeward
@@ -23,6 +24,18 @@ struct GridSize
   int rows = 0;
 
   bool operator==(const GridSize &) const = default;
+
+  /** Of a point, row by row. */
+  std::size_t index(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+
+  std::size_t points() const
+  {
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  }
 };
 
 /** From the first to the last column and row that occur. */

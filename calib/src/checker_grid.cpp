@@ -149,6 +149,7 @@ std::vector<GridPoint> grow(const std::vector<CheckerCorner> &corners,
     }
   }
   std::vector<GridPoint> grid;
+  grid.reserve(taken.size());
   for (const auto &[place, corner] : taken) {
     grid.push_back({place.first, place.second, corners[corner].pixel});
   }
@@ -228,7 +229,7 @@ std::vector<GridPoint> findCheckerGrid(const cv::Mat1b &picture, const GridSize 
       }
       largest = std::move(grid);
     }
-    if (largest.size() == static_cast<std::size_t>(size.columns * size.rows)) {
+    if (largest.size() == size.points()) {
       break;
     }
     cv::resize(image, image, {}, 0.5, 0.5, cv::INTER_AREA);

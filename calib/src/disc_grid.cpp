@@ -33,6 +33,7 @@ std::vector<Disc> findDiscs(const cv::Mat1b &picture)
   std::vector<cv::KeyPoint> points;
   cv::SimpleBlobDetector::create(params)->detect(picture, points);
   std::vector<Disc> discs;
+  discs.reserve(points.size());
   for (const cv::KeyPoint &point : points) {
     discs.push_back({{point.pt.x, point.pt.y}, point.size});
   }
@@ -213,7 +214,7 @@ bool spanGrid(const Eigen::Vector2d &right, const Eigen::Vector2d &down)
 std::vector<GridPoint> gridFrom(const std::vector<Disc> &discs, std::size_t seed,
                                 const GridSize &size)
 {
-  const auto count = static_cast<std::size_t>(size.columns * size.rows);
+  const auto count = size.points();
   const std::vector<std::size_t> near = nearest(discs, seed);
   std::vector<GridPoint> largest;
   for (const std::size_t right : near) {
@@ -240,7 +241,7 @@ std::vector<GridPoint> gridFrom(const std::vector<Disc> &discs, std::size_t seed
 std::vector<GridPoint> findDiscGrid(const cv::Mat1b &picture, const GridSize &size)
 {
   const std::vector<Disc> discs = findDiscs(picture);
-  const auto count = static_cast<std::size_t>(size.columns * size.rows);
+  const auto count = size.points();
   std::vector<GridPoint> largest;
   // Every disc has its try: diagonals span a grid too, but clipped to the board a smaller one.
   for (std::size_t seed = 0; seed < discs.size() && largest.size() < count; ++seed) {

@@ -41,7 +41,7 @@ std::vector<BoardPixel> around(const Grid &grid, const GridSize &size, std::size
   for (int r = std::max(0, row - kReach); r <= std::min(size.rows - 1, row + kReach); ++r) {
     for (int c = std::max(0, column - kReach); c <= std::min(size.columns - 1, column + kReach);
          ++c) {
-      const auto i = static_cast<std::size_t>(r * size.columns + c);
+      const std::size_t i = size.index(c, r);
       if (grid[i] && i != index) {
         near.emplace_back((r - row) * (r - row) + (c - column) * (c - column), i);
       }
@@ -50,6 +50,7 @@ std::vector<BoardPixel> around(const Grid &grid, const GridSize &size, std::size
   std::sort(near.begin(), near.end());
   near.resize(std::min(near.size(), kMost));
   std::vector<BoardPixel> result;
+  result.reserve(near.size() + 1);
   for (const auto &[distance, i] : near) {
     result.push_back(*grid[i]);
   }
@@ -167,7 +168,7 @@ std::optional<Grid> boardOf(const std::vector<GridPoint> &found, const Target &t
   const std::vector<Eigen::Vector3d> points = targetPoints(target);
   Grid grid(points.size());
   for (const GridPoint &point : found) {
-    const auto i = static_cast<std::size_t>(point.row * target.columns + point.column);
+    const std::size_t i = sizeOf(target).index(point.column, point.row);
     grid[i] = BoardPixel{points[i].head<2>(), view.toPicture(point.pixel)};
   }
   return grid;

@@ -5,6 +5,7 @@
 #include <homeward/core/error.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>

@@ -35,6 +35,7 @@ std::vector<MountSample> driven(const Pose2 &rMp, const Drive &plan, std::uint64
                            Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   std::vector<Pose2> poses;
+  poses.reserve(40);
   for (int i = 0; i < 24; ++i) {
     poses.push_back({0.0, 0.0, wrapAngle(plan.turn * i / 24.0)});
   }
