@@ -20,7 +20,8 @@ struct BoardPixel
 
 /**
  * From the board to the picture near some points of it: a homography to the plane that touches the
- * unit sphere there, then a rough camera, whose faults a small neighbourhood does not feel.
+ * unit sphere there, then a camera. A rough one will do to find a point; what it bends wrongly
+ * moves the refined point by a hundredth of a pixel, which refineBoards() takes back.
  */
 class BoardMap
 {
