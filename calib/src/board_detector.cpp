@@ -92,9 +92,8 @@ BoardViews refineBoards(const std::vector<cv::Mat> &pictures, const Target &targ
   BoardViews refined = views;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     checkPicture(pictures[i]);
-    if (target.kind != TargetKind::AprilGrid) {
-      refined.views[i] = refineGridPoints(pictures[i], target, views.views[i], unified->camera());
-    }
+    const auto refine = target.kind == TargetKind::AprilGrid ? refineTags : refineGridPoints;
+    refined.views[i] = refine(pictures[i], target, views.views[i], unified->camera());
   }
   return refined;
 }

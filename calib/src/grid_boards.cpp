@@ -110,17 +110,10 @@ std::optional<Eigen::Vector2d> refinedPoint(const Search &search, const Grid &gr
   const auto toPicture = [&](const Eigen::Vector2d &offset) {
     return map->toPicture(grid[i]->board + target.pitch * offset);
   };
-  switch (target.kind) {
-  case TargetKind::CircleGrid:
+  if (target.kind == TargetKind::CircleGrid) {
     return refineDisc(search.picture, toPicture);
-  case TargetKind::Charuco:
-    return refineSaddle(search.picture, toPicture, undisturbedReach(target));
-  default:
-    constexpr double kReach = 0.42; // pitches; the next corner is one away
-    return showsWholeCheckers(search.picture, toPicture)
-               ? refineSaddle(search.picture, toPicture, kReach)
-               : std::nullopt;
   }
+  return refineCorner(search.picture, target, toPicture);
 }
 
 /** The grid with its points refined, those that do not refine left out. */
@@ -208,11 +201,16 @@ std::optional<BoardView> findGridBoard(const cv::Mat1b &picture, const Target &t
   return std::nullopt;
 }
 
-double undisturbedReach(const Target &target)
+std::optional<Eigen::Vector2d> refineCorner(const cv::Mat1b &picture, const Target &target,
+                                            const ToPicture &toPicture)
 {
-  const double gap = (target.pitch - target.markerSide()) / 2.0;
-  const double cell = target.markerSide() / 7.0;
-  return std::min(0.4, (gap + cell) / target.pitch);
+  double reach = 0.42; // pitches; the next corner is one away
+  if (target.kind == TargetKind::Charuco) {
+    const double gap = (target.pitch - target.markerSide()) / 2.0;
+    const double cell = target.markerSide() / 7.0; // a marker's border is the same on both sides
+    reach = std::min(reach, (gap + cell) / target.pitch);
+  }
+  return refineSaddle(picture, toPicture, reach);
 }
 
 BoardView refineGridPoints(const cv::Mat1b &picture, const Target &target, const BoardView &view,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "board_map.h"
 #include "grid_boards.h"
+#include "marker_fit.h"
 #include "markers.h"
 #include "picture_views.h"
-#include "point_refinement.h"
 
 #include <homeward/core/angle.h>
 
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 namespace homeward
 {
@@ -79,6 +80,16 @@ std::array<Eigen::Vector2d, 4> boardCorners(const Eigen::Vector2d &corner, doubl
           corner + Eigen::Vector2d(0.0, side)};
 }
 
+/** The corners of a tag to a fraction of a pixel. */
+std::optional<std::array<Eigen::Vector2d, 4>>
+fittedTag(const cv::Mat1b &picture, const Target &target, int id, const BoardMap &map)
+{
+  const Eigen::Vector2d corner = markerCorners(target)[static_cast<std::size_t>(id)];
+  return fitMarker(picture, markerCells(target.kind, id), [&](const Eigen::Vector2d &unit) {
+    return map.toPicture(corner + target.markerSide() * unit);
+  });
+}
+
 /** A marker board in one picture. */
 class MarkerBoard
 {
@@ -92,22 +103,19 @@ public:
 
   BoardView tagCorners() const
   {
+    Markers fitted;
+    for (const auto &[id, pixels] : m_markers) {
+      fitTag(id, cornersOf(m_markers, {id}), fitted);
+    }
+    addTagsBeside(fitted);
     BoardView view;
     const std::vector<Eigen::Vector3d> points = targetPoints(m_target);
-    for (const auto &[id, pixels] : m_markers) {
-      const Eigen::Vector2d corner = m_corners[static_cast<std::size_t>(id)];
-      const auto map = BoardMap::fit(m_camera, correspondences({id}));
-      if (!map) {
-        continue;
-      }
-      const auto square = refineSquare(m_picture, [&](const Eigen::Vector2d &unit) {
-        return map->toPicture(corner + m_target.markerSide() * unit);
-      });
-      for (std::size_t k = 0; square && k < 4; ++k) {
+    for (const auto &[id, pixels] : fitted) {
+      for (std::size_t k = 0; k < 4; ++k) {
         const int point = 4 * id + static_cast<int>(k);
         view.ids.push_back(point);
         view.board.push_back(points[static_cast<std::size_t>(point)]);
-        view.pixels.push_back((*square)[k]);
+        view.pixels.push_back(pixels[k]);
       }
     }
     return view;
@@ -132,6 +140,38 @@ public:
   }
 
 private:
+  /** @param around that tells roughly where the tag lies @return whether it is there */
+  bool fitTag(int id, const std::vector<BoardPixel> &around, Markers &fitted) const
+  {
+    const auto map = BoardMap::fit(m_camera, around);
+    const auto corners = map ? fittedTag(m_picture, m_target, id, *map) : std::nullopt;
+    if (corners) {
+      fitted.emplace(id, *corners);
+    }
+    return corners.has_value();
+  }
+
+  /** Tags too small to be told by their looks alone: beside others it is known what to look for. */
+  void addTagsBeside(Markers &fitted) const
+  {
+    std::set<int> tried;
+    for (bool added = true; added;) {
+      added = false;
+      for (int id = 0; id < static_cast<int>(m_corners.size()); ++id) {
+        const std::vector<int> beside = nearest(fitted, middleOf(id), 4, 1.5 * m_target.pitch);
+        if (beside.size() >= 2 && !fitted.contains(id) && tried.insert(id).second) {
+          added = fitTag(id, cornersOf(fitted, beside), fitted) || added;
+        }
+      }
+    }
+  }
+
+  Eigen::Vector2d middleOf(int id) const
+  {
+    return m_corners[static_cast<std::size_t>(id)] +
+           Eigen::Vector2d::Constant(m_target.markerSide() / 2.0);
+  }
+
   /** Leaves out corners that do not lie where those round them say, or that none stand by. */
   BoardView withoutStrays(const BoardView &view) const
   {
@@ -161,26 +201,26 @@ private:
     return kept;
   }
 
-  std::vector<BoardPixel> correspondences(const std::vector<int> &ids) const
+  std::vector<BoardPixel> cornersOf(const Markers &markers, const std::vector<int> &ids) const
   {
     std::vector<BoardPixel> points;
     for (const int id : ids) {
       const auto board =
           boardCorners(m_corners[static_cast<std::size_t>(id)], m_target.markerSide());
       for (std::size_t k = 0; k < 4; ++k) {
-        points.push_back({board[k], m_markers.at(id)[k]});
+        points.push_back({board[k], markers.at(id)[k]});
       }
     }
     return points;
   }
 
-  /** The markers seen whose middles lie nearest to a place on the board, at most `most`. */
-  std::vector<int> nearest(const Eigen::Vector2d &board, std::size_t most, double reach) const
+  /** The markers whose middles lie nearest to a place on the board, at most `most`. */
+  std::vector<int> nearest(const Markers &markers, const Eigen::Vector2d &board, std::size_t most,
+                           double reach) const
   {
     std::vector<std::pair<double, int>> sorted;
-    const Eigen::Vector2d half = Eigen::Vector2d::Constant(m_target.markerSide() / 2.0);
-    for (const auto &[id, pixels] : m_markers) {
-      const double away = (m_corners[static_cast<std::size_t>(id)] + half - board).norm();
+    for (const auto &[id, pixels] : markers) {
+      const double away = (middleOf(id) - board).norm();
       if (away < reach) {
         sorted.emplace_back(away, id);
       }
@@ -199,10 +239,10 @@ private:
     Markers kept;
     for (const auto &[id, pixels] : m_markers) {
       const Eigen::Vector2d corner = m_corners[static_cast<std::size_t>(id)];
-      std::vector<int> others = nearest(corner, 5, 1e9);
+      std::vector<int> others = nearest(m_markers, corner, 5, 1e9);
       std::erase(others, id);
       const auto map =
-          others.empty() ? std::nullopt : BoardMap::fit(m_camera, correspondences(others));
+          others.empty() ? std::nullopt : BoardMap::fit(m_camera, cornersOf(m_markers, others));
       const double side = (pixels[0] - pixels[2]).norm();
       if (others.empty() || (map && (map->toPicture(corner) - pixels[0]).norm() < side)) {
         kept.emplace(id, pixels);
@@ -215,17 +255,17 @@ private:
   {
     const double pitch = m_target.pitch;
     // The two squares with markers that meet here; one of them must be seen.
-    if (nearest(point, 1, 0.8 * pitch).empty()) {
+    if (nearest(m_markers, point, 1, 0.8 * pitch).empty()) {
       return std::nullopt;
     }
-    const auto map = BoardMap::fit(m_camera, correspondences(nearest(point, 4, 1e9)));
+    const auto map =
+        BoardMap::fit(m_camera, cornersOf(m_markers, nearest(m_markers, point, 4, 1e9)));
     if (!map) {
       return std::nullopt;
     }
-    return refineSaddle(
-        m_picture,
-        [&](const Eigen::Vector2d &offset) { return map->toPicture(point + pitch * offset); },
-        undisturbedReach(m_target));
+    return refineCorner(m_picture, m_target, [&](const Eigen::Vector2d &offset) {
+      return map->toPicture(point + pitch * offset);
+    });
   }
 
   cv::Mat1b m_picture;
@@ -244,6 +284,32 @@ std::optional<BoardView> findMarkerBoard(const cv::Mat1b &picture, const Target 
   BoardView view =
       target.kind == TargetKind::AprilGrid ? board.tagCorners() : board.squareCorners();
   return view.ids.size() >= kFewest ? std::optional(std::move(view)) : std::nullopt;
+}
+
+BoardView refineTags(const cv::Mat1b &picture, const Target &target, const BoardView &view,
+                     const UnifiedCamera &camera)
+{
+  std::map<int, std::vector<std::size_t>> tags;
+  for (std::size_t i = 0; i < view.ids.size(); ++i) {
+    tags[view.ids[i] / 4].push_back(i);
+  }
+  BoardView refined = view;
+  for (const auto &[id, points] : tags) {
+    std::vector<BoardPixel> corners;
+    for (const std::size_t i : points) {
+      corners.push_back({view.board[i].head<2>(), view.pixels[i]});
+    }
+    const auto map = BoardMap::fit(camera, corners);
+    const auto square = map ? fittedTag(picture, target, id, *map) : std::nullopt;
+    for (const std::size_t i : points) {
+      const auto corner = static_cast<std::size_t>(view.ids[i] % 4);
+      constexpr double kFarthest = 3.0; // pixels; then it is another square
+      if (square && ((*square)[corner] - view.pixels[i]).norm() < kFarthest) {
+        refined.pixels[i] = (*square)[corner];
+      }
+    }
+  }
+  return refined;
 }
 
 } // namespace homeward

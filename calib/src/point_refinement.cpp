@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_refinement.h"
 
-#include <homeward/core/symmetric_eigen.h>
-
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>
 
@@ -54,11 +51,12 @@ Sampled sample(const cv::Mat1b &picture, const ToPicture &toPicture, const Eigen
     return result;
   }
   picture(box).convertTo(real, CV_32F);
-  // Jagged edges would pull the point along; a blur moves nothing that is symmetric.
-  const double blur = std::clamp(kBlurShare * std::min(across, down), 0.3, kMostBlur);
-  cv::GaussianBlur(real, real, {}, blur);
   map -= cv::Scalar(box.x, box.y);
   cv::remap(real, result.image, map, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+  // Jagged edges would pull the point along; a blur moves nothing that is symmetric on the board.
+  const double blur = std::clamp(kBlurShare * std::min(across, down), 0.3, kMostBlur);
+  cv::GaussianBlur(result.image, result.image, {}, blur / (across * result.step),
+                   blur / (down * result.step));
   return result;
 }
 
@@ -73,31 +71,6 @@ std::pair<float, float> levels(const cv::Mat1f &image)
 
 constexpr float kLeastContrast = 12.0F; ///< gray levels
 
-/** Position of the steepest rise along a profile, its gradient's centre of mass; in samples. */
-std::optional<double> risingEdge(const std::vector<float> &profile)
-{
-  const auto size = static_cast<int>(profile.size());
-  int best = 1;
-  const auto slope = [&](int i) {
-    return profile[static_cast<std::size_t>(i) + 1] - profile[static_cast<std::size_t>(i) - 1];
-  };
-  for (int i = 1; i + 1 < size; ++i) {
-    best = slope(i) > slope(best) ? i : best;
-  }
-  if (slope(best) < kLeastContrast) {
-    return std::nullopt;
-  }
-  double weight = 0.0;
-  double sum = 0.0;
-  for (int i = std::max(1, best - 3); i <= std::min(size - 2, best + 3); ++i) {
-    const double w =
-        std::max(0.0, static_cast<double>(slope(i)) - 0.15 * static_cast<double>(slope(best)));
-    weight += w;
-    sum += w * i;
-  }
-  return sum / weight;
-}
-
 template <class T> float bilinear(const cv::Mat_<T> &picture, const Eigen::Vector2d &pixel)
 {
   const auto u = static_cast<int>(std::floor(pixel.x()));
@@ -109,57 +82,6 @@ template <class T> float bilinear(const cv::Mat_<T> &picture, const Eigen::Vecto
   const auto b = static_cast<float>(pixel.y() - v);
   return (1.0F - b) * ((1.0F - a) * picture(v, u) + a * picture(v, u + 1)) +
          b * ((1.0F - a) * picture(v + 1, u) + a * picture(v + 1, u + 1));
-}
-
-/** The line n . x = c through one edge of the unit square, in the square's frame, n outwards. */
-std::optional<Eigen::Vector3d> edgeLine(const cv::Mat1b &picture, const ToPicture &toPicture,
-                                        const Eigen::Vector2d &from, const Eigen::Vector2d &to)
-{
-  const Eigen::Vector2d along = to - from;
-  const Eigen::Vector2d outwards(along.y(), -along.x());
-  const double reach = 0.09; // less than a marker's cell
-  const double length = (toPicture(from) - toPicture(to)).norm();
-  const int samples = std::clamp(static_cast<int>(length), 6, 40);
-  const double pixels =
-      (toPicture(from + 0.5 * along + reach * outwards) - toPicture(from + 0.5 * along)).norm();
-  const int half = std::clamp(static_cast<int>(std::ceil(2.0 * pixels)), 4, 12);
-  std::vector<Eigen::Vector2d> points;
-  for (int i = 0; i < samples; ++i) {
-    const Eigen::Vector2d middle = from + (0.08 + 0.84 * (i + 0.5) / samples) * along;
-    std::vector<float> profile;
-    for (int k = -half; k <= half; ++k) {
-      profile.push_back(bilinear(picture, toPicture(middle + reach * k / half * outwards)));
-    }
-    if (const auto edge = risingEdge(profile)) {
-      points.emplace_back(middle + reach * (*edge - half) / half * outwards);
-    }
-  }
-  if (static_cast<int>(points.size()) < (samples + 1) / 2) {
-    return std::nullopt;
-  }
-  // Twice: the second time without what lies far from the first line.
-  Eigen::Vector3d line;
-  for (int pass = 0; pass < 2; ++pass) {
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (const auto &point : points) {
-      mean += point / static_cast<double>(points.size());
-    }
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    for (const auto &point : points) {
-      spread += (point - mean) * (point - mean).transpose();
-    }
-    const SymmetricEigen principal = symmetricEigen(spread);
-    const Eigen::Vector2d normal = principal.vectors.col(0);
-    line << normal, -normal.dot(mean);
-    const double sigma = std::sqrt(principal.values[0] / static_cast<double>(points.size()));
-    std::erase_if(points, [&](const Eigen::Vector2d &point) {
-      return std::abs(line.dot(point.homogeneous())) > 2.0 * sigma + 1e-9;
-    });
-    if (points.size() < 3) {
-      return std::nullopt;
-    }
-  }
-  return line;
 }
 
 /**
@@ -195,6 +117,30 @@ Eigen::Vector2d settleOnSymmetry(const cv::Mat1f &image, Eigen::Vector2d c, int 
   return c;
 }
 
+/**
+ * Whether the checkers round a corner show as far as `reach`: those across from each other are
+ * alike, which the mirror's rim or a hand in front of one of them spoils.
+ */
+bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture,
+                        const Eigen::Vector2d &corner, double reach)
+{
+  constexpr double kAlike = 0.45; // of the contrast
+  const auto level = [&](double x, double y) {
+    return static_cast<double>(
+        bilinear(picture, toPicture(corner + reach * Eigen::Vector2d(x, y))));
+  };
+  const double contrast =
+      std::abs(level(0.5, 0.5) + level(-0.5, -0.5) - level(0.5, -0.5) - level(-0.5, 0.5)) / 2.0;
+  for (const double right : {0.5, 0.7, 0.95}) {
+    for (const double down : {-0.95, -0.7, -0.5, 0.5, 0.7, 0.95}) {
+      if (std::abs(level(right, down) - level(-right, -down)) > kAlike * contrast) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPicture &toPicture,
@@ -213,25 +159,10 @@ std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPi
   const Eigen::Vector2d settled =
       settleOnSymmetry(sampled.image, {corner[0].x, corner[0].y}, window);
   const Eigen::Vector2d moved = sampled.step * (settled - Eigen::Vector2d(middle, middle));
-  return moved.norm() < 0.3 ? std::optional(toPicture(moved)) : std::nullopt;
-}
-
-bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture)
-{
-  constexpr double kAlike = 0.45; // of the contrast
-  const auto level = [&](double x, double y) {
-    return static_cast<double>(bilinear(picture, toPicture({x, y})));
-  };
-  const double contrast =
-      std::abs(level(0.2, 0.2) + level(-0.2, -0.2) - level(0.2, -0.2) - level(-0.2, 0.2)) / 2.0;
-  for (const double right : {0.2, 0.3, 0.4}) {
-    for (const double down : {-0.4, -0.3, -0.2, 0.2, 0.3, 0.4}) {
-      if (std::abs(level(right, down) - level(-right, -down)) > kAlike * contrast) {
-        return false;
-      }
-    }
-  }
-  return true;
+  constexpr double kFarthest = 0.3; // pitches
+  return moved.norm() < kFarthest && showsWholeCheckers(picture, toPicture, moved, reach)
+             ? std::optional(toPicture(moved))
+             : std::nullopt;
 }
 
 std::optional<Eigen::Vector2d> refineDisc(const cv::Mat1b &picture, const ToPicture &toPicture)
@@ -257,30 +188,6 @@ std::optional<Eigen::Vector2d> refineDisc(const cv::Mat1b &picture, const ToPict
     moved += sum / std::max(weight, 1e-9) * sampled.step;
   }
   return moved.norm() < 0.3 ? std::optional(toPicture(moved)) : std::nullopt;
-}
-
-std::optional<std::array<Eigen::Vector2d, 4>> refineSquare(const cv::Mat1b &picture,
-                                                           const ToPicture &toPicture)
-{
-  const std::array<Eigen::Vector2d, 4> corners{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
-  std::array<Eigen::Vector3d, 4> lines;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto line = edgeLine(picture, toPicture, corners[i], corners[(i + 1) % 4]);
-    if (!line) {
-      return std::nullopt;
-    }
-    lines[i] = *line;
-  }
-  std::array<Eigen::Vector2d, 4> result;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d crossing = lines[(i + 3) % 4].cross(lines[i]);
-    const Eigen::Vector2d corner = crossing.hnormalized();
-    if (!((corner - corners[i]).norm() < 0.15)) {
-      return std::nullopt;
-    }
-    result[i] = toPicture(corner);
-  }
-  return result;
 }
 
 } // namespace homeward

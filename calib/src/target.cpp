@@ -29,22 +29,20 @@ bool blackSquare(int column, int row)
 }
 
 /** The black cells of a marker whose top left corner stands at `corner`. */
-void drawMarker(const cv::aruco::Dictionary &dictionary, int id, double side,
-                const Eigen::Vector2d &corner, std::vector<ArtRectangle> &rectangles)
+void drawMarker(const MarkerCells &cells, double side, const Eigen::Vector2d &corner,
+                std::vector<ArtRectangle> &rectangles)
 {
-  const int cells = dictionary.markerSize + 2;
-  cv::Mat image;
-  dictionary.drawMarker(id, cells, image, 1);
-  const double cell = side / cells;
-  for (int row = 0; row < cells; ++row) {
-    for (int column = 0; column < cells;) {
-      int end = column;
-      while (end < cells && image.at<uchar>(row, end) == 0) {
+  const double cell = side / static_cast<double>(cells.rows());
+  for (Eigen::Index row = 0; row < cells.rows(); ++row) {
+    for (Eigen::Index column = 0; column < cells.cols();) {
+      Eigen::Index end = column;
+      while (end < cells.cols() && cells(row, end) == 0.0) {
         ++end;
       }
       if (end > column) {
-        rectangles.push_back(
-            {corner.x() + column * cell, corner.y() + row * cell, (end - column) * cell, cell});
+        rectangles.push_back({corner.x() + static_cast<double>(column) * cell,
+                              corner.y() + static_cast<double>(row) * cell,
+                              static_cast<double>(end - column) * cell, cell});
       }
       column = std::max(end, column + 1);
     }
@@ -184,7 +182,7 @@ TargetArt drawTarget(const Target &target)
   }
   int id = 0;
   for (const Eigen::Vector2d &corner : markerCorners(target)) {
-    drawMarker(*dictionaryOf(target.kind), id++, target.markerSide(), art.origin + corner,
+    drawMarker(markerCells(target.kind, id++), target.markerSide(), art.origin + corner,
                art.rectangles);
   }
   return art;

@@ -90,10 +90,21 @@ void compare(const BoardView &view, const Target &target,
   outcome.corners += view.ids.size();
 }
 
-/** Boards round the mirror, the highest of them at an elevation where the mirror ends. */
-Outcome lookAtCutBoards(double xi, double highest)
+struct Cut
 {
-  const Target target;
+  double xi;
+  Target target;
+};
+
+std::ostream &operator<<(std::ostream &out, const Cut &cut)
+{
+  return out << "xi " << cut.xi << ", " << nameOf(cut.target.kind);
+}
+
+/** Boards round the mirror, the highest of them at an elevation where the mirror ends. */
+Outcome lookAtCutBoards(const Cut &cut, double highest)
+{
+  const auto &[xi, target] = cut;
   const UnifiedCamera truth = camera(xi);
   const BoardPainter painter = painterOf(truth, target);
   Random random(5, 1);
@@ -116,7 +127,7 @@ Outcome lookAtCutBoards(double xi, double highest)
   return outcome;
 }
 
-class CutBoards : public testing::TestWithParam<double>
+class CutBoards : public testing::TestWithParam<Cut>
 {};
 
 TEST_P(CutBoards, areFoundAtTheRim)
@@ -138,7 +149,10 @@ TEST_P(CutBoards, areFoundAtTheInnerCircle)
   EXPECT_GT(outcome.corners, 0.7 * static_cast<double>(outcome.shown));
 }
 
-INSTANTIATE_TEST_SUITE_P(Mirrors, CutBoards, testing::Values(0.8, 0.95, 1.05));
+INSTANTIATE_TEST_SUITE_P(Mirrors, CutBoards,
+                         testing::Values(Cut{0.8, {}}, Cut{0.95, {}}, Cut{1.05, {}},
+                                         Cut{0.95, {TargetKind::Charuco, 9, 7, 0.038}},
+                                         Cut{0.95, {TargetKind::AprilGrid, 5, 4, 0.055}}));
 
 // A hand is in front of the board's middle: what is on both sides of it is one part or the other.
 TEST(CutBoards, areFoundBehindAHand)

@@ -107,6 +107,18 @@ std::ostream &operator<<(std::ostream &out, const Mirror &mirror)
   return out << "xi " << mirror.xi << ", " << nameOf(mirror.kind);
 }
 
+Target targetOf(TargetKind kind)
+{
+  switch (kind) {
+  case TargetKind::Charuco:
+    return {kind, 7, 5, 0.05};
+  case TargetKind::AprilGrid:
+    return {kind, 5, 4, 0.06};
+  default:
+    return {kind, 9, 6, 0.033};
+  }
+}
+
 class PicturesToCamera : public testing::TestWithParam<Mirror>
 {};
 
@@ -114,8 +126,7 @@ TEST_P(PicturesToCamera, giveTheTrueMirror)
 {
   const auto [xi, kind, highest] = GetParam();
   const BoardStudio studio = studioOf(xi);
-  const Target target =
-      kind == TargetKind::Charuco ? Target{kind, 7, 5, 0.05} : Target{kind, 9, 6, 0.033};
+  const Target target = targetOf(kind);
   HeldBoards held;
   held.count = 12;
   held.highest = radians(highest);
@@ -150,6 +161,7 @@ TEST_P(PicturesToCamera, giveTheTrueMirror)
 INSTANTIATE_TEST_SUITE_P(Mirrors, PicturesToCamera,
                          testing::Values(Mirror{0.8, TargetKind::Charuco, 4.0},
                                          Mirror{0.8, TargetKind::CircleGrid, 4.0},
+                                         Mirror{0.95, TargetKind::AprilGrid, 4.0},
                                          Mirror{0.95, TargetKind::Chessboard, 4.0},
                                          Mirror{1.05, TargetKind::Chessboard, 8.0}));
 

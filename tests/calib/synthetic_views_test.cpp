@@ -5,6 +5,7 @@
 #include <homeward/calib/convert.h>
 #include <homeward/camera/camera_models.h>
 #include <homeward/camera/unified_model.h>
+#include <homeward/core/random.h>
 
 #include <gmock/gmock.h>
 
@@ -92,6 +93,41 @@ TEST_P(KnownMirror, IsFoundAgain)
 INSTANTIATE_TEST_SUITE_P(Mirrors, KnownMirror,
                          testing::Combine(testing::Values(0.8, 0.95, 1.05), testing::Values(10, 20),
                                           testing::Values(3, 4, 5)));
+
+/** Views as of a board that is bent a little, every time in another way. */
+BoardViews bent(BoardViews views, std::uint64_t seed)
+{
+  constexpr double kShare = 0.003;
+  Random random(seed, 1);
+  for (BoardView &view : views.views) {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d &pixel : view.pixels) {
+      middle += pixel / static_cast<double>(view.pixels.size());
+    }
+    const Eigen::Matrix2d bend{{random.normal(kShare), random.normal(kShare)},
+                               {random.normal(kShare), random.normal(kShare)}};
+    for (Eigen::Vector2d &pixel : view.pixels) {
+      pixel += bend * (pixel - middle);
+    }
+  }
+  return views;
+}
+
+// Errors that the points of a view share count once a view, not once a point.
+TEST(SyntheticViews, SigmasHoldForViewsThatAreWrongAsAWhole)
+{
+  int inside = 0;
+  constexpr int kRuns = 10;
+  for (int run = 0; run < kRuns; ++run) {
+    const auto seed = static_cast<std::uint64_t>(run);
+    const Calibration found = calibrate(bent(takeViews(mirror(0.95), closePlan(15), seed), seed));
+    const Eigen::VectorXd p = found.model->parameters();
+    const Eigen::Vector2d off(p[0] - 0.95, p[1] - kScale * 1.95);
+    const Eigen::Matrix2d covariance = found.covariance.topLeftCorner<2, 2>();
+    inside += off.dot(covariance.inverse() * off) < 11.8 ? 1 : 0;
+  }
+  EXPECT_GE(inside, kRuns - 1);
+}
 
 TEST(SyntheticViews, DistortionIsFoundWhereItIsAndOnlyThere)
 {

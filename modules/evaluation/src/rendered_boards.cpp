@@ -5,6 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -22,23 +23,48 @@ constexpr double kGoldenAngle = 2.399963;
 constexpr double kPaper = 0.85; ///< what paper and ink reflect, linear
 constexpr double kInk = 0.03;
 
+/** The pixels of a row that lie between two places, and how much of each. */
+struct Covered
+{
+  cv::Range pixels;
+  cv::Mat1f shares; ///< a row
+};
+
+Covered covered(double from, double to)
+{
+  Covered result{{cvFloor(from), cvCeil(to)}, {}};
+  result.shares.create(1, result.pixels.size());
+  for (int i = 0; i < result.pixels.size(); ++i) {
+    const double left = result.pixels.start + i;
+    result.shares(i) = static_cast<float>(std::min(to, left + 1.0) - std::max(from, left));
+  }
+  return result;
+}
+
 /** The art as a printer lays it down, CV_8UC3, sRGB-coded. */
 cv::Mat printed(const TargetArt &art)
 {
   constexpr int kShift = 8; // pixels are given in 1/256
-  const auto coded = [](double linear) { return cvRound(255.0 * std::pow(linear, 1.0 / 2.2)); };
-  const auto inPixels = [](double metres) { return cvRound(metres * kResolution); };
+  const cv::Size size(cvRound(art.width * kResolution), cvRound(art.height * kResolution));
+  cv::Mat1b discs(size, uchar{0});
   const auto at = [](double metres) { return cvRound((metres * kResolution - 0.5) * 256.0); };
-  cv::Mat print(inPixels(art.height), inPixels(art.width), CV_8UC3, cv::Scalar::all(coded(kPaper)));
-  for (const ArtRectangle &r : art.rectangles) {
-    const cv::Point corner(inPixels(r.x), inPixels(r.y));
-    const cv::Point opposite(inPixels(r.x + r.width), inPixels(r.y + r.height));
-    print(cv::Rect(corner, opposite)).setTo(cv::Scalar::all(coded(kInk)));
-  }
   for (const ArtDisc &disc : art.discs) {
-    cv::circle(print, {at(disc.x), at(disc.y)}, cvRound(disc.radius * kResolution * 256.0),
-               cv::Scalar::all(coded(kInk)), cv::FILLED, cv::LINE_AA, kShift);
+    cv::circle(discs, {at(disc.x), at(disc.y)}, cvRound(disc.radius * kResolution * 256.0),
+               cv::Scalar::all(255), cv::FILLED, cv::LINE_AA, kShift);
   }
+  cv::Mat1f ink;
+  discs.convertTo(ink, CV_32F, 1.0 / 255.0);
+  for (const ArtRectangle &r : art.rectangles) {
+    const Covered across = covered(r.x * kResolution, (r.x + r.width) * kResolution);
+    const Covered down = covered(r.y * kResolution, (r.y + r.height) * kResolution);
+    ink(down.pixels, across.pixels) += down.shares.t() * across.shares;
+  }
+  cv::Mat reflected;
+  ink.convertTo(reflected, CV_32F, kInk - kPaper, kPaper);
+  cv::pow(reflected, 1.0 / 2.2, reflected);
+  cv::Mat print;
+  reflected.convertTo(print, CV_8U, 255.0);
+  cv::cvtColor(print, print, cv::COLOR_GRAY2BGR);
   return print;
 }
 

@@ -43,7 +43,7 @@ std::vector<std::optional<BoardView>> findBoards(const std::vector<cv::Mat> &pic
 /**
  * The points once more, with a camera that is known better than findBoard() could guess it: how it
  * bends a point's surroundings tells where the point is, to a hundredth of a pixel. Calibrate,
- * refine, calibrate again; AprilTag grids come back as they are. \cite Datta2009
+ * refine, calibrate again. \cite Datta2009
  * @param pictures CV_8UC1, one a view
  * @param camera a unified model, such as calibrate() finds
  * @throw LogicError for other types of picture, for other models, unless there is a picture a view
