@@ -141,6 +141,23 @@ bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture,
   return true;
 }
 
+/** Whether the border shows paper: what the rim or a hand cuts is no whole disc. */
+bool paperAllRound(const Sampled &sampled)
+{
+  const auto [dark, bright] = levels(sampled.image);
+  const float least = 0.5F * (dark + bright);
+  const int last = 2 * sampled.half;
+  for (int i = 0; i <= last; ++i) {
+    for (const float level : {sampled.image(0, i), sampled.image(last, i), sampled.image(i, 0),
+                              sampled.image(i, last)}) {
+      if (level < least) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPicture &toPicture,
@@ -167,9 +184,10 @@ std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPi
 
 std::optional<Eigen::Vector2d> refineDisc(const cv::Mat1b &picture, const ToPicture &toPicture)
 {
+  constexpr double kAround = 0.42; // pitches, not as far as the next disc
   Eigen::Vector2d moved = Eigen::Vector2d::Zero();
   for (int pass = 0; pass < 3; ++pass) {
-    const Sampled sampled = sample(picture, toPicture, moved, 0.42);
+    const Sampled sampled = sample(picture, toPicture, moved, kAround);
     const auto [dark, bright] = levels(sampled.image);
     const auto contrast = static_cast<double>(bright - dark);
     if (contrast < static_cast<double>(kLeastContrast)) {
@@ -187,7 +205,10 @@ std::optional<Eigen::Vector2d> refineDisc(const cv::Mat1b &picture, const ToPict
     }
     moved += sum / std::max(weight, 1e-9) * sampled.step;
   }
-  return moved.norm() < 0.3 ? std::optional(toPicture(moved)) : std::nullopt;
+  constexpr double kFarthest = 0.3; // pitches
+  return moved.norm() < kFarthest && paperAllRound(sample(picture, toPicture, moved, kAround))
+             ? std::optional(toPicture(moved))
+             : std::nullopt;
 }
 
 } // namespace homeward
