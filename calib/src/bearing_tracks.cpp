@@ -68,6 +68,12 @@ void replenish(std::vector<Corner> &corners, const cv::Mat &picture, const cv::M
   }
   cv::Mat mask =
       visible.empty() ? cv::Mat(picture.size(), CV_8UC1, cv::Scalar(255)) : visible.clone();
+  // By the strongest of all corners, not of those still to be had: those may be but noise.
+  cv::Mat1f strength;
+  double strongest = 0.0;
+  cv::cornerMinEigenVal(picture, strength, kCornerSize);
+  cv::minMaxLoc(strength, nullptr, &strongest, nullptr, nullptr, mask);
+  mask.setTo(0, strength < kQuality * strongest);
   for (const Corner &corner : corners) {
     cv::circle(mask, cv::Point(corner.pixel), static_cast<int>(kApart), cv::Scalar(0), cv::FILLED);
   }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -126,7 +127,7 @@ void checkDrive(const std::vector<MountSample> &drive, int landmarks)
 {
   constexpr double kShortest = 0.5; // metres
   constexpr double kLeast = 90.0;   // degrees
-  constexpr int kFewest = 3;
+  constexpr int kFewest = 25;
   double way = 0.0;
   double turn = 0.0;
   for (const MountSample &a : drive) {
@@ -145,8 +146,8 @@ void checkDrive(const std::vector<MountSample> &drive, int landmarks)
   }
   if (landmarks < kFewest) {
     throw ConfigError(std::to_string(landmarks) +
-                      " landmarks were seen from three places or more; drive where at least "
-                      "three stay in sight");
+                      " landmarks were seen from three places or more, at least " +
+                      std::to_string(kFewest) + " are needed; drive where there is more to see");
   }
 }
 
@@ -356,6 +357,89 @@ Unknowns refined(const Seen &seen, Unknowns x, int steps)
   return x;
 }
 
+/** A landmark and in which direction it stands. */
+struct Direction
+{
+  double angle; ///< from the drive's start, radians
+  std::size_t landmark;
+};
+
+/** All landmarks, by their angles. */
+std::vector<Direction> directionsOf(const Seen &seen, const Unknowns &x)
+{
+  const Eigen::Index own = seen.way.own();
+  const Eigen::Vector2d middle = seen.way.places(x).front().translation();
+  std::vector<Direction> directions;
+  for (Eigen::Index i = own; i < x.size(); i += 2) {
+    const Eigen::Vector2d away = x.segment<2>(i) - middle;
+    directions.push_back({std::atan2(away.y(), away.x()), directions.size()});
+  }
+  std::sort(directions.begin(), directions.end(),
+            [](const Direction &a, const Direction &b) { return a.angle < b.angle; });
+  return directions;
+}
+
+/** What stands abeam of a straight line shows its direction; what lies ahead hardly does. */
+void checkAllRound(const std::vector<Direction> &directions)
+{
+  double widest = 2.0 * kPi + directions.front().angle - directions.back().angle;
+  for (std::size_t i = 1; i < directions.size(); ++i) {
+    widest = std::max(widest, directions[i].angle - directions[i - 1].angle);
+  }
+  if (widest > kPi) {
+    throw ConfigError("the " + std::to_string(directions.size()) +
+                      " landmarks seen often enough stand on one side of the robot, within " +
+                      std::to_string(std::lround(360.0 - degrees(widest))) +
+                      " degrees; drive where there are things on all sides");
+  }
+}
+
+/**
+ * The mount's covariance, each number's sigma grown to what leaving neighbours out together shows
+ * (the jackknife): sights of one landmark, and of landmarks side by side, err alike. \cite
+ * Efron1982
+ */
+Eigen::Matrix3d widened(const Eigen::Matrix3d &covariance, const Seen &seen, const Unknowns &best,
+                        const std::vector<Direction> &directions)
+{
+  constexpr int kGroups = 8;
+  constexpr int kSteps = 20;
+  std::vector<int> group(directions.size());
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    group[directions[i].landmark] =
+        static_cast<int>(i * static_cast<std::size_t>(kGroups) / directions.size());
+  }
+  std::vector<Eigen::Vector3d> mounts;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (int out = 0; out < kGroups; ++out) {
+    Seen rest{seen.way, {}};
+    std::copy_if(
+        seen.sights.begin(), seen.sights.end(), std::back_inserter(rest.sights),
+        [&](const Sight &sight) { return group[static_cast<std::size_t>(sight.landmark)] != out; });
+    const Unknowns x = refined(rest, best, kSteps);
+    mounts.emplace_back(x[0], x[1], best[2] + wrapAngle(x[2] - best[2]));
+    mean += mounts.back() / kGroups;
+  }
+  Eigen::Array3d variance = Eigen::Array3d::Zero();
+  for (const Eigen::Vector3d &mount : mounts) {
+    variance += (kGroups - 1.0) / kGroups * (mount - mean).array().square();
+  }
+  const Eigen::Array3d factor = (variance / covariance.diagonal().array()).max(1.0).sqrt();
+  return factor.matrix().asDiagonal() * covariance * factor.matrix().asDiagonal();
+}
+
+void checkSigmas(const Eigen::Matrix3d &covariance)
+{
+  constexpr double kMost = radians(1.5);
+  const double yaw = std::sqrt(covariance(2, 2));
+  if (!(yaw < kMost) || !covariance.allFinite() || (covariance.diagonal().array() < 0.0).any()) {
+    throw ConfigError("the drive tells the camera's yaw to no better than " +
+                      std::to_string(degrees(yaw)) +
+                      " degrees; turn on the spot, then drive a metre straight, with things near "
+                      "by in sight on all sides");
+  }
+}
+
 } // namespace
 
 MountEstimate calibrateMount(const std::vector<MountSample> &drive)
@@ -415,10 +499,10 @@ MountEstimate calibrateMount(const std::vector<MountSample> &drive)
   estimate.covariance = covariance.topLeftCorner<kMount, kMount>();
   estimate.rms = std::sqrt(sum / static_cast<double>(seen.sights.size()));
   estimate.rMp = {best[0], best[1], wrapAngle(best[2])};
-  if (!estimate.covariance.allFinite() || (estimate.covariance.diagonal().array() < 0.0).any()) {
-    throw ConfigError("the drive leaves the camera's place on the robot open; turn on the spot, "
-                      "then drive a metre straight, with things near by in sight");
-  }
+  const std::vector<Direction> directions = directionsOf(seen, best);
+  checkAllRound(directions);
+  estimate.covariance = widened(estimate.covariance, seen, best, directions);
+  checkSigmas(estimate.covariance);
   return estimate;
 }
 

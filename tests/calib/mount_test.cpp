@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double kNoise = 0.005; // radians
+constexpr int kLandmarks = 30;
 
 /** What of a turn of 360 degrees on the spot and a straight line of 1.5 m is driven. */
 struct Drive
@@ -22,15 +23,16 @@ struct Drive
   double turn = 2.0 * kPi;
   double way = 1.5;
   double outliers = 0.0;
-  double slip = 0.0; ///< share by which the robot turns more than odometry says
+  double slip = 0.0;        ///< share by which the robot turns more than odometry says
+  double round = 2.0 * kPi; ///< angle in which landmarks stand
 };
 
 std::vector<MountSample> driven(const Pose2 &rMp, const Drive &plan, std::uint64_t seed)
 {
   Random random(seed, 0);
   std::vector<Eigen::Vector2d> landmarks;
-  for (int i = 0; i < 12; ++i) {
-    const double angle = 2.0 * kPi * i / 12 + random.uniform(-0.2, 0.2);
+  for (int i = 0; i < kLandmarks; ++i) {
+    const double angle = plan.round * i / kLandmarks + random.uniform(-0.2, 0.2);
     landmarks.emplace_back(random.uniform(1.5, 4.0) *
                            Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
@@ -79,7 +81,7 @@ TEST(Mount, YawAndOffsetAreFoundWithTheirSigmas)
     EXPECT_LT(std::abs(off[1]), 0.01);
     EXPECT_LT(std::abs(off[2]), radians(0.5));
     EXPECT_NEAR(found.rms, kNoise, 0.15 * kNoise);
-    EXPECT_EQ(found.landmarks, 12);
+    EXPECT_EQ(found.landmarks, kLandmarks);
     sum += off.dot(found.covariance.inverse() * off);
   }
   // Chi-square of three numbers: mean 3, variance 6.
@@ -124,10 +126,10 @@ std::string refusal(const std::vector<MountSample> &drive)
 TEST(Mount, SaysWhatWasNotDriven)
 {
   const Pose2 truth{0.1, 0.0, 0.3};
-  EXPECT_THAT(refusal(driven(truth, {2.0 * kPi, 0.1, 0.0, 0.0}, 1)),
-              testing::HasSubstr("straight"));
-  EXPECT_THAT(refusal(driven(truth, {0.1, 1.5, 0.0, 0.0}, 1)), testing::HasSubstr("turn of 90"));
+  EXPECT_THAT(refusal(driven(truth, {.way = 0.1}, 1)), testing::HasSubstr("straight"));
+  EXPECT_THAT(refusal(driven(truth, {.turn = 0.1}, 1)), testing::HasSubstr("turn of 90"));
   EXPECT_THAT(refusal({}), testing::HasSubstr("drove"));
+  EXPECT_THAT(refusal(driven(truth, {.round = radians(120.0)}, 1)), testing::HasSubstr("one side"));
   auto drive = driven(truth, {}, 1);
   for (MountSample &sample : drive) {
     sample.bearings.resize(2);

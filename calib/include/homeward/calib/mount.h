@@ -38,8 +38,10 @@ struct MountEstimate
  * line the yaw. Landmarks may stand anywhere, nobody needs to know where; they are estimated along,
  * least squares on the bearings with Huber's weights. Odometry gives the scale; how far its turns
  * are wrong is estimated too, for wheels that skid through a whole turn miss it by several degrees.
- * @throw ConfigError with what to drive when less than a quarter turn or 0.5 m was driven, or fewer
- * than three landmarks were seen from three places each
+ * Sigmas are at least what leaving out one eighth of the landmarks after the other shows.
+ * @throw ConfigError with what to drive when less than a quarter turn or 0.5 m was driven, fewer
+ * than 25 landmarks were seen from three places each, they all stand on one side, or the yaw's
+ * sigma is above 1.5 degrees
  */
 MountEstimate calibrateMount(const std::vector<MountSample> &drive);
 
