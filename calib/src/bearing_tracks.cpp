@@ -97,6 +97,7 @@ std::vector<Corner> follow(const std::vector<Corner> &corners, const DriveView &
   const cv::Mat from = rolled(before.panorama.image, 0, margin);
   const cv::Mat to = rolled(now.panorama.image, shift, margin);
   std::vector<cv::Point2f> start;
+  start.reserve(corners.size());
   for (const Corner &corner : corners) {
     start.emplace_back(corner.pixel.x + static_cast<float>(margin), corner.pixel.y);
   }
