@@ -34,6 +34,11 @@ Sampled sample(const cv::Mat1b &picture, const ToPicture &toPicture, const Eigen
   result.half = std::clamp(static_cast<int>(std::ceil(std::max(across, down) * reach)), 4, 20);
   result.step = reach / result.half;
   const int side = 2 * result.half + 1;
+  constexpr double kLeastPitch = 2.0; // pixels
+  if (std::min(across, down) < kLeastPitch) {
+    result.image = cv::Mat1f::zeros(side, side);
+    return result;
+  }
   cv::Mat2f map(side, side);
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
@@ -122,17 +127,15 @@ Eigen::Vector2d settleOnSymmetry(const cv::Mat1f &image, Eigen::Vector2d c, int 
  * alike, which the mirror's rim or a hand in front of one of them spoils.
  */
 bool showsWholeCheckers(const cv::Mat1b &picture, const ToPicture &toPicture,
-                        const Eigen::Vector2d &corner, double reach)
+                        const Eigen::Vector2d &corner, double reach, double contrast)
 {
   constexpr double kAlike = 0.45; // of the contrast
   const auto level = [&](double x, double y) {
     return static_cast<double>(
         bilinear(picture, toPicture(corner + reach * Eigen::Vector2d(x, y))));
   };
-  const double contrast =
-      std::abs(level(0.5, 0.5) + level(-0.5, -0.5) - level(0.5, -0.5) - level(-0.5, 0.5)) / 2.0;
-  for (const double right : {0.5, 0.7, 0.95}) {
-    for (const double down : {-0.95, -0.7, -0.5, 0.5, 0.7, 0.95}) {
+  for (const double right : {0.4, 0.6, 0.8}) {
+    for (const double down : {-0.8, -0.6, -0.4, 0.4, 0.6, 0.8}) {
       if (std::abs(level(right, down) - level(-right, -down)) > kAlike * contrast) {
         return false;
       }
@@ -177,7 +180,8 @@ std::optional<Eigen::Vector2d> refineSaddle(const cv::Mat1b &picture, const ToPi
       settleOnSymmetry(sampled.image, {corner[0].x, corner[0].y}, window);
   const Eigen::Vector2d moved = sampled.step * (settled - Eigen::Vector2d(middle, middle));
   constexpr double kFarthest = 0.3; // pitches
-  return moved.norm() < kFarthest && showsWholeCheckers(picture, toPicture, moved, reach)
+  return moved.norm() < kFarthest &&
+                 showsWholeCheckers(picture, toPicture, moved, reach, bright - dark)
              ? std::optional(toPicture(moved))
              : std::nullopt;
 }

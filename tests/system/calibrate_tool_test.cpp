@@ -81,7 +81,7 @@ void paintPictures(const Folder &folder, const Target &target, int count)
                              {{640, 480}, {330.0, 236.0}, 40.0, 230.0}, target);
   Random random(2, 1);
   int number = 0;
-  for (const auto &cMo : posesRound(count, {0.1, 0.06, 0.0}, 0.3, 0.4, random)) {
+  for (const auto &cMo : posesRound(count, {0.12, 0.06, 0.0}, 0.3, 0.4, random, radians(2.0))) {
     cv::Mat picture = painter.paint(cMo, random);
     if (number == 0) {
       picture.convertTo(picture, CV_16U, 200.0);
