@@ -3,6 +3,7 @@
 #include "signature_values.h"
 
 #include <homeward/core/angle.h>
+#include <homeward/place/histogram.h>
 
 #include <Eigen/Core>
 
@@ -51,14 +52,21 @@ Matrix product(const Matrix &a, const Matrix &b)
   return ab;
 }
 
+/** The lowest frequencies of some rows, by row and frequency (0 first). */
+struct Spectra
+{
+  Matrix real;
+  Matrix imaginary;
+
+  Matrix magnitudes() const { return (real.array().square() + imaginary.array().square()).sqrt(); }
+};
+
 /**
- * Magnitudes of the lowest frequencies of each row, by row and frequency (0 first).
- *
  * Few of many frequencies are wanted, so a product of matrices beats a fast transform. Columns n
  * and -n share a cosine and, but for its sign, a sine: half of the matrix is enough.
  * @param frequencies at most kNarrowColumns; those that rows are too short for are 0
  */
-Matrix rowSpectra(const Matrix &rows, int frequencies)
+Spectra rowSpectra(const Matrix &rows, int frequencies)
 {
   const auto columns = static_cast<int>(rows.cols());
   const int half = columns / 2;
@@ -75,9 +83,8 @@ Matrix rowSpectra(const Matrix &rows, int frequencies)
   const auto partners = rows.rightCols(pairs).rowwise().reverse();
   even.middleCols(1, pairs) += partners;
   odd.middleCols(1, pairs) = rows.middleCols(1, pairs) - partners;
-  const Matrix real = product(even, waves(cosines, frequencies));
-  const Matrix imaginary = product(odd, waves(sines, frequencies));
-  return (real.array().square() + imaginary.array().square()).sqrt().leftCols(frequencies);
+  return {product(even, waves(cosines, frequencies)).leftCols(frequencies),
+          product(odd, waves(sines, frequencies)).leftCols(frequencies)};
 }
 
 /** Signed square roots of the vertical steps of the log intensity. */
@@ -98,6 +105,23 @@ Matrix verticalEdges(const cv::Mat &gray)
   return (steps.array() < 0.0F).select(-roots, roots);
 }
 
+/** Rising edges of each band, then falling ones; directions of all contrasts count alike. */
+Matrix edgesByBand(Matrix edges)
+{
+  for (Eigen::Index column = 0; column < edges.cols(); ++column) {
+    const float sum = edges.col(column).lpNorm<1>();
+    edges.col(column) *= sum > 0.0F ? 1.0F / sum : 0.0F;
+  }
+  Matrix bands(2 * kByteBands, edges.cols());
+  for (Eigen::Index i = 0; i < kByteBands; ++i) {
+    const Eigen::Index begin = i * edges.rows() / kByteBands;
+    const auto band = edges.middleRows(begin, (i + 1) * edges.rows() / kByteBands - begin);
+    bands.row(2 * i) = band.cwiseMax(0.0F).colwise().sum();
+    bands.row(2 * i + 1) = -band.cwiseMin(0.0F).colwise().sum();
+  }
+  return bands;
+}
+
 /** Sum of some spectra, of length 1: bands count alike, whatever their contrast. */
 Eigen::RowVectorXf bandSpectrum(const Matrix &spectra, int begin, int end)
 {
@@ -113,7 +137,7 @@ std::vector<float> fourierMagnitudes(const cv::Mat &gray)
     const auto *pixels = gray.ptr<std::uint8_t>(row);
     std::copy(pixels, pixels + gray.cols, rows.row(row).data());
   }
-  const Matrix spectra = rowSpectra(rows, kFrequencies);
+  const Matrix spectra = rowSpectra(rows, kFrequencies).magnitudes();
   return {spectra.data(), spectra.data() + spectra.size()};
 }
 
@@ -123,7 +147,7 @@ std::vector<float> edgeMagnitudes(const cv::Mat &gray)
   if (gray.rows < 2) {
     return values;
   }
-  const Matrix spectra = rowSpectra(verticalEdges(gray), kFrequencies);
+  const Matrix spectra = rowSpectra(verticalEdges(gray), kFrequencies).magnitudes();
   const auto rows = static_cast<int>(spectra.rows());
   for (int top = 0; top < rows; top += kBandRows) {
     const Eigen::RowVectorXf band = bandSpectrum(spectra, top, std::min(rows, top + kBandRows));
@@ -139,13 +163,31 @@ std::vector<float> edgeBytes(const cv::Mat &gray)
     values.resize(static_cast<std::size_t>(kByteBands) * kByteFrequencies, 0.0F);
     return values;
   }
-  const Matrix spectra = rowSpectra(verticalEdges(gray), kByteFrequencies);
+  const Matrix spectra = rowSpectra(verticalEdges(gray), kByteFrequencies).magnitudes();
   const auto rows = static_cast<int>(spectra.rows());
   for (int i = 0; i < kByteBands; ++i) {
     const Eigen::RowVectorXf band =
         bandSpectrum(spectra, i * rows / kByteBands, (i + 1) * rows / kByteBands);
     std::transform(band.begin(), band.end(), std::back_inserter(values),
                    [](float value) { return std::round(255.0F * value); });
+  }
+  return values;
+}
+
+std::vector<float> alignedEdges(const cv::Mat &gray)
+{
+  constexpr auto kWaves = static_cast<int>(kTurnFrequencies);
+  std::vector<float> values;
+  if (gray.rows <= kByteBands) {
+    values.resize(std::size_t{4} * kByteBands * kTurnFrequencies, 0.0F);
+    return values;
+  }
+  const Spectra spectra = rowSpectra(edgesByBand(verticalEdges(gray)), kWaves + 1);
+  for (Eigen::Index band = 0; band < spectra.real.rows(); ++band) {
+    Eigen::RowVectorXf row(2 * kWaves);
+    row << spectra.real.row(band).tail(kWaves), spectra.imaginary.row(band).tail(kWaves);
+    row.stableNormalize();
+    values.insert(values.end(), row.begin(), row.end());
   }
   return values;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/place/histogram.h>
 
+#include "turn_correlation.h"
+
 #include <homeward/core/error.h>
 
 #include <algorithm>
@@ -89,6 +91,21 @@ double cosineDistance(std::span<const float> a, std::span<const float> b)
     return aa == bb ? 0.0 : 1.0;
   }
   return std::max(0.0, 1.0 - ab / std::sqrt(aa * bb));
+}
+
+double turnCorrelationDistance(std::span<const float> a, std::span<const float> b)
+{
+  requireSameSize(a, b);
+  if (a.size() % kTurnRow != 0) {
+    throw LogicError("spectra of " + std::to_string(a.size()) + " values are no rows of " +
+                     std::to_string(kTurnRow));
+  }
+  const double aa = std::inner_product(a.begin(), a.end(), a.begin(), 0.0);
+  const double bb = std::inner_product(b.begin(), b.end(), b.begin(), 0.0);
+  if (aa == 0.0 || bb == 0.0) {
+    return aa == bb ? 0.0 : 1.0;
+  }
+  return std::max(0.0, 1.0 - peakOf(correlationsByTurn(a, b)) / std::sqrt(aa * bb));
 }
 
 } // namespace homeward

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "row_distance.h"
 
+#include "turn_correlation.h"
+
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
@@ -169,6 +171,66 @@ void sumBytes(const std::byte *query, const RowBlock &block, float *distances)
   }
 }
 
+/** The product of one spectrum with the other's conjugate, summed over their rows. */
+void crossSpectrum(const float *a, const float *b, std::size_t size, float *even, float *odd)
+{
+  const Floats tag;
+  for (std::size_t f = 0; f < kTurnFrequencies; f += hn::Lanes(tag)) {
+    auto e = hn::Zero(tag);
+    auto o = e;
+    for (std::size_t row = f; row < size; row += kTurnRow) {
+      const auto realA = hn::Load(tag, a + row);
+      const auto realB = hn::Load(tag, b + row);
+      const auto imaginaryA = hn::Load(tag, a + row + kTurnFrequencies);
+      const auto imaginaryB = hn::Load(tag, b + row + kTurnFrequencies);
+      e = hn::MulAdd(realA, realB, hn::MulAdd(imaginaryA, imaginaryB, e));
+      o = hn::MulAdd(realA, imaginaryB, hn::NegMulAdd(imaginaryA, realB, o));
+    }
+    hn::Store(e, tag, even + f);
+    hn::Store(o, tag, odd + f);
+  }
+}
+
+/** What turns to the left and turns to the right have in common, and by what they differ. */
+void turned(const float *even, const float *odd, const TurnWaves &waves, float *same, float *other)
+{
+  const Floats tag;
+  for (std::size_t turn = 0; turn < TurnWaves::kPadded; turn += hn::Lanes(tag)) {
+    auto s = hn::Zero(tag);
+    auto o = s;
+    for (std::size_t f = 0; f < kTurnFrequencies; ++f) {
+      s = hn::MulAdd(hn::Set(tag, even[f]), hn::Load(tag, waves.cosines[f].data() + turn), s);
+      o = hn::MulAdd(hn::Set(tag, odd[f]), hn::Load(tag, waves.sines[f].data() + turn), o);
+    }
+    hn::Store(s, tag, same + turn);
+    hn::Store(o, tag, other + turn);
+  }
+}
+
+void correlateBlock(const std::byte *query, const RowBlock &block, float *distances)
+{
+  const TurnWaves &waves = turnWaves();
+  const auto *b = reinterpret_cast<const float *>(query);
+  const auto *a = reinterpret_cast<const float *>(block.rows);
+  const std::size_t size = block.rowBytes / sizeof(float);
+  const std::size_t spectra = size / kTurnRow * kTurnRow;
+  alignas(kRowAlignment) std::array<float, kTurnFrequencies> even;
+  alignas(kRowAlignment) std::array<float, kTurnFrequencies> odd;
+  alignas(kRowAlignment) std::array<float, TurnWaves::kPadded> same;
+  alignas(kRowAlignment) std::array<float, TurnWaves::kPadded> other;
+  std::array<float, kTurns> byTurn;
+  for (std::size_t r = 0; r < block.count; ++r, a += size) {
+    crossSpectrum(a, b, spectra, even.data(), odd.data());
+    turned(even.data(), odd.data(), waves, same.data(), other.data());
+    for (std::size_t turn = 0; turn < kTurns / 2; ++turn) {
+      byTurn[turn] = same[turn] + other[turn];
+      byTurn[kTurns - 1 - turn] = same[turn + 1] - other[turn + 1];
+    }
+    byTurn[0] += spectra < size ? a[spectra] * b[spectra] : 0.0F;
+    distances[r] = std::max(0.0F, 1.0F - peakOf(byTurn));
+  }
+}
+
 void dispatchedRowDistances(RowMetric metric, const std::byte *query, const RowBlock &block,
                             float *distances)
 {
@@ -181,6 +243,8 @@ void dispatchedRowDistances(RowMetric metric, const std::byte *query, const RowB
     return sumBlock<AbsoluteTerm>(query, block, distances);
   case RowMetric::SquaredDifference:
     return sumBlock<SquaredTerm>(query, block, distances);
+  case RowMetric::TurnCorrelation:
+    return correlateBlock(query, block, distances);
   case RowMetric::AbsoluteBytes:
     return sumBytes(query, block, distances);
   }

@@ -13,6 +13,7 @@ enum class RowMetric
   ChiSquare,         ///< (a - b)^2 / (a + b), 0 where both are
   Absolute,          ///< |a - b|
   SquaredDifference, ///< (a - b)^2
+  TurnCorrelation,   ///< 1 - the largest correlation over all turns, of unit vectors; no sum
   AbsoluteBytes      ///< |a - b| of rows of std::uint8_t, exact; the others are rows of float
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "row_distance.h"
 
+#include "turn_correlation.h"
+
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -39,6 +41,20 @@ void sumRows(const std::byte *query, const RowBlock &block, float *distances, Te
   }
 }
 
+/** Rows of spectra with one element more that only rows without a spectrum have. */
+void correlateRows(const std::byte *query, const RowBlock &block, float *distances)
+{
+  const std::size_t size = block.rowBytes / sizeof(float);
+  const std::size_t spectra = size / kTurnRow * kTurnRow;
+  const std::span b(reinterpret_cast<const float *>(query), size);
+  for (std::size_t r = 0; r < block.count; ++r) {
+    const std::span a(reinterpret_cast<const float *>(block.rows) + r * size, size);
+    std::array<double, kTurns> byTurn = correlationsByTurn(a.first(spectra), b.first(spectra));
+    byTurn[0] += spectra < size ? static_cast<double>(a[spectra]) * b[spectra] : 0.0;
+    distances[r] = static_cast<float>(std::max(0.0, 1.0 - peakOf(byTurn)));
+  }
+}
+
 } // namespace
 
 void rowDistancesScalar(RowMetric metric, const std::byte *query, const RowBlock &block,
@@ -55,6 +71,8 @@ void rowDistancesScalar(RowMetric metric, const std::byte *query, const RowBlock
   case RowMetric::SquaredDifference:
     return sumRows<float>(query, block, distances,
                           [](double a, double b) { return (a - b) * (a - b); });
+  case RowMetric::TurnCorrelation:
+    return correlateRows(query, block, distances);
   case RowMetric::AbsoluteBytes:
     return sumRows<std::uint8_t>(query, block, distances, absolute);
   }

@@ -2,6 +2,7 @@
 #include "row_table.h"
 
 #include "signature_values.h"
+#include "turn_correlation.h"
 
 #include <homeward/core/error.h>
 
@@ -27,6 +28,8 @@ RowMetric metricOf(const SignatureTraits &kind)
     return RowMetric::ChiSquare;
   case SignatureDistance::L1:
     return kind.bytes ? RowMetric::AbsoluteBytes : RowMetric::Absolute;
+  case SignatureDistance::TurnCorrelation:
+    return RowMetric::TurnCorrelation;
   case SignatureDistance::Hellinger:
   case SignatureDistance::Cosine:
     break;
@@ -64,6 +67,7 @@ std::vector<float> comparedValues(const Signature &signature)
   case SignatureDistance::Hellinger:
     return unitVector(rootsOf(signature.values));
   case SignatureDistance::Cosine:
+  case SignatureDistance::TurnCorrelation:
     return unitVector(signature.values);
   case SignatureDistance::ChiSquare:
   case SignatureDistance::L1:
@@ -76,8 +80,14 @@ void requireValid(const Signature &signature)
 {
   constexpr float kLargestByte = 255.0F;
   const bool bytes = traits(signature.kind).bytes;
+  const bool phases = traits(signature.kind).distance == SignatureDistance::TurnCorrelation;
+  if (phases && signature.values.size() % kTurnRow != 0) {
+    throw LogicError("a signature " + std::string(name(signature.kind)) + " has rows of " +
+                     std::to_string(kTurnRow) + " values, not " +
+                     std::to_string(signature.values.size()) + " in all");
+  }
   for (const float value : signature.values) {
-    const bool fits = value >= 0.0F && std::isfinite(value);
+    const bool fits = (phases || value >= 0.0F) && std::isfinite(value);
     if (!fits || (bytes && (value > kLargestByte || value != std::floor(value)))) {
       throw LogicError("a signature " + std::string(name(signature.kind)) + " cannot hold " +
                        std::to_string(value));
@@ -158,6 +168,7 @@ double RowTable::dissimilarityOf(float distance) const
   case SignatureDistance::Hellinger:
     return std::sqrt(sum / 2.0);
   case SignatureDistance::L1:
+  case SignatureDistance::TurnCorrelation:
     break;
   }
   return sum / m_unit;

@@ -35,6 +35,8 @@ constexpr std::array kKinds{
                     "gain, contrast of each band"},
     SignatureTraits{Kind::EdgeBytes, "edge_bytes", Distance::L1, false, true,
                     "gain, contrast of each band"},
+    SignatureTraits{Kind::AlignedEdges, "aligned_edges", Distance::TurnCorrelation, false, false,
+                    "gain, contrast of each band and of each direction"},
 };
 
 /** The rows that show the scene all round. */
@@ -99,6 +101,8 @@ std::vector<float> valuesOf(const cv::Mat &image, SignatureKind kind)
     return edgeMagnitudes(inGray(image));
   case Kind::EdgeBytes:
     return edgeBytes(inGray(image));
+  case Kind::AlignedEdges:
+    return alignedEdges(inGray(image));
   case Kind::Jeffrey:
   case Kind::ChiSquare:
   case Kind::AbsoluteDifferences:
@@ -119,6 +123,8 @@ double distanceOf(SignatureDistance distance, const Signature &a, const Signatur
     return sumOfAbsoluteDifferences(a.values, b.values);
   case Distance::Hellinger:
     return hellingerDistance(a.values, b.values);
+  case Distance::TurnCorrelation:
+    return turnCorrelationDistance(a.values, b.values);
   case Distance::Cosine:
     break;
   }

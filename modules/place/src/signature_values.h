@@ -32,6 +32,12 @@ std::vector<float> edgeMagnitudes(const cv::Mat &gray);
 /** The same of edges in 16 bands x 16 frequencies, whole numbers 0 to 255. @param gray CV_8UC1 */
 std::vector<float> edgeBytes(const cv::Mat &gray);
 
+/**
+ * Spectra of the rising and of the falling edges of 16 bands, all bands of length 1, columns of the
+ * panorama too: for turnCorrelationDistance(). @param gray CV_8UC1
+ */
+std::vector<float> alignedEdges(const cv::Mat &gray);
+
 /** What the distance of two vectors of values is divided by to be a dissimilarity. */
 double dissimilarityUnit(const Signature &signature);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace homeward
@@ -30,5 +31,18 @@ double hellingerDistance(std::span<const float> a, std::span<const float> b);
 
 /** 1 - cosine of the angle between a and b, 0 to 2; 0 when both are zero, 1 when one is. */
 double cosineDistance(std::span<const float> a, std::span<const float> b);
+
+/** Frequencies of a row in a spectrum that turnCorrelationDistance() takes: 1 to this. */
+inline constexpr std::size_t kTurnFrequencies = 16;
+
+/**
+ * 1 - the largest correlation of two sets of rows of a panorama when one is turned against the
+ * other, 0 to 2; 0 when both are zero, 1 when one is. Turns are tried in steps of a 128th of a
+ * whole one and refined by a parabola.
+ * @param a, b row by row the real parts of the frequencies 1 to kTurnFrequencies, then the
+ * imaginary
+ * @throw LogicError when the sizes differ or are no multiple of twice the frequencies
+ */
+double turnCorrelationDistance(std::span<const float> a, std::span<const float> b);
 
 } // namespace homeward

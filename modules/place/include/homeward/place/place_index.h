@@ -43,7 +43,7 @@ public:
   PlaceIndex &operator=(PlaceIndex &&) noexcept;
 
   /**
-   * @throw LogicError when the node is known, a value is negative or not finite, or the signature
+   * @throw LogicError when the node is known, a value is not what its kind has, or the signature
    * is of another kind or size
    */
   void add(NodeId node, const Signature &signature);

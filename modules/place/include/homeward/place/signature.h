@@ -23,7 +23,9 @@ enum class SignatureKind
   Opponent,    ///< red-green x yellow-blue (8 x 8, by brightness) x 4 brightnesses, Hellinger
   Fourier,     ///< magnitudes of 30 row-wise frequencies, L1
   EdgeFourier, ///< the same of edges in row bands, cosine distance: survives changed light
-  EdgeBytes    ///< the same of edges in 16 bands x 16 frequencies of a byte, L1
+  EdgeBytes,   ///< the same of edges in 16 bands x 16 frequencies of a byte, L1
+  AlignedEdges ///< rising and falling edges in 16 bands x 16 frequencies with their phases, the
+               ///< best correlation over all turns: finds a place in any light
 };
 
 /** How two vectors of values are compared; each has its function in histogram.h. */
@@ -33,7 +35,8 @@ enum class SignatureDistance
   ChiSquare,
   L1,
   Hellinger,
-  Cosine
+  Cosine,
+  TurnCorrelation
 };
 
 /** What is known of a kind before any picture. */
@@ -65,8 +68,12 @@ inline constexpr int kSignatureVersion = 1;
 struct Signature
 {
   SignatureKind kind = SignatureKind::Jeffrey;
-  int pixels = 0;            ///< how many went into it
-  std::vector<float> values; ///< >= 0: counts by bin, or magnitudes by row (band) and frequency
+  int pixels = 0; ///< how many went into it
+  /**
+   * >= 0: counts by bin, or magnitudes by row (band) and frequency. TurnCorrelation: spectra, see
+   * turnCorrelationDistance().
+   */
+  std::vector<float> values;
 };
 
 /** Bytes of the values as PlaceIndex keeps them, without its padding. */
