@@ -96,6 +96,24 @@ cv::Mat readPicture(const std::string &file)
   return picture;
 }
 
+std::string encodePicture(const std::string &file, const cv::Mat &picture)
+{
+  const std::string kind = file == "-" ? ".png" : std::filesystem::path(file).extension().string();
+  bool known = !kind.empty();
+  try {
+    known = known && cv::haveImageWriter("picture" + kind);
+  }
+  catch (const cv::Exception &) {
+    known = false;
+  }
+  if (!known) {
+    throw ConfigError("cannot write pictures such as " + file + "; name it .png or .jpg");
+  }
+  std::vector<uchar> bytes;
+  cv::imencode(kind, picture, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
 std::string encodePng(const cv::Mat &picture)
 {
   std::vector<unsigned char> bytes;

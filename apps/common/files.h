@@ -27,6 +27,9 @@ void keepStandardOutputForFiles();
 /** A picture, gray or BGR, 8 bits. @throw ConfigError naming the file when it cannot be read */
 cv::Mat readPicture(const std::string &file);
 
+/** The bytes of a picture file of the kind its name ends in. @throw ConfigError naming the file */
+std::string encodePicture(const std::string &file, const cv::Mat &picture);
+
 /** The bytes of a PNG file. */
 std::string encodePng(const cv::Mat &picture);
 

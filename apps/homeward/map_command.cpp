@@ -103,19 +103,7 @@ void render(const MapArguments &arguments)
     writeText(output, mapSvg(file.map(), picture));
     return;
   }
-  std::vector<unsigned char> bytes;
-  bool encoded = false;
-  try {
-    encoded =
-        cv::imencode(fs::path(output).extension().string(), mapImage(file.map(), picture), bytes);
-  }
-  catch (const cv::Exception &) {
-    encoded = false;
-  }
-  if (!encoded) {
-    throw ConfigError("cannot draw to " + output + "; name it .svg or .png");
-  }
-  writeText(output, std::string(bytes.begin(), bytes.end()));
+  writeText(output, encodePicture(output, mapImage(file.map(), picture)));
 }
 
 void exportMap(const MapArguments &arguments)

@@ -64,9 +64,7 @@ void unwrap(const UnwrapOptions &options)
   const auto begin = std::chrono::steady_clock::now();
   const Panorama panorama = unwarper.unwarp(picture);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-  if (!cv::imwrite(options.output, panorama.image)) {
-    throw RuntimeError("cannot write " + options.output);
-  }
+  writeText(options.output, encodePicture(options.output, panorama.image));
   nlohmann::json json = jsonHeader("unwrap");
   json["wall_time_s"] = spent.count();
   json["picture"] = options.picture;

@@ -33,6 +33,18 @@ int marginOf(const PanoramaGeometry &geometry)
   return geometry.width / 4;
 }
 
+/** Noise sees to it that no two pictures are the same, least of all of two places. */
+void refuseFrozen(const std::vector<DriveView> &drive, std::size_t i)
+{
+  const Pose2 step = drive[i - 1].oMr.inverse() * drive[i].oMr;
+  const bool moved = step.translation().norm() > 0.01 || std::abs(step.heading) > 0.01;
+  if (moved && cv::norm(drive[i - 1].panorama.image, drive[i].panorama.image, cv::NORM_INF) == 0) {
+    throw ConfigError("pictures " + std::to_string(i - 1) + " and " + std::to_string(i) +
+                      " of the drive are the same although the robot moved; the camera was "
+                      "frozen: drive again");
+  }
+}
+
 /** The picture with its first `shift` columns moved to its end, and margins. */
 cv::Mat rolled(const cv::Mat &picture, int shift, int margin)
 {
@@ -129,6 +141,9 @@ std::vector<MountSample> trackBearings(const std::vector<DriveView> &drive, cons
   for (std::size_t i = 0; i < drive.size(); ++i) {
     const PanoramaGeometry &geometry = drive.front().panorama.geometry;
     check(drive[i], geometry);
+    if (i > 0) {
+      refuseFrozen(drive, i);
+    }
     if (i > 0 && !corners.empty()) {
       corners = follow(corners, drive[i - 1], drive[i]);
     }

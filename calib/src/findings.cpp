@@ -149,12 +149,42 @@ void addUncertainty(Calibration &calibration)
     const bool length = names[i] == "fx" || names[i] == "fy" || names[i] == "a0";
     const bool centre = names[i] == "cx" || names[i] == "cy";
     constexpr double kLoose = 0.02; // of the focal length
+    constexpr double kOpen = 0.1;   // likewise
+    if (length && !(sigma < kOpen * std::abs(values[at]))) {
+      throw ConfigError("the views do not tell the camera: " + names[i] + " " +
+                        rounded(values[at], 2) + " +- " + rounded(sigma, 2) +
+                        " pixels; check --target, --columns, --rows and the measures, or hold the "
+                        "target nearer, tilted and all round");
+    }
     constexpr double kCentre = 2.0; // pixels
     if ((length && sigma > kLoose * std::abs(values[at])) || (centre && sigma > kCentre)) {
       calibration.warnings.push_back(
           "the views leave " + names[i] + " open: " + rounded(values[at], 2) + " +- " +
           rounded(sigma, 2) + " pixels; add views, nearer, tilted and all round");
     }
+  }
+}
+
+/** What is right has points that lie where the camera shows them, nearly all. */
+void addFit(const BoardViews &views, Calibration &calibration)
+{
+  std::size_t points = 0;
+  for (const BoardView &view : views.views) {
+    points += view.pixels.size();
+  }
+  constexpr double kMany = 0.1;      // of the points
+  constexpr double kRough = 0.00045; // of the picture's width
+  if (static_cast<double>(calibration.outliers) > kMany * static_cast<double>(points)) {
+    calibration.warnings.push_back(
+        std::to_string(calibration.outliers) + " of " + std::to_string(points) +
+        " points were not believed: do all pictures come from one camera with a fixed focus, none "
+        "turned, and is the target flat?");
+  }
+  if (calibration.robustRms > kRough * views.width) {
+    calibration.warnings.push_back(
+        "points lie " + rounded(calibration.robustRms, 2) +
+        " pixels from where the camera shows them, a tenth is usual in sharp pictures: check the "
+        "target's measures (tags and markers, too), that it is flat, and the focus");
   }
 }
 
@@ -282,6 +312,7 @@ void addFindings(const BoardViews &views, bool solid, Calibration &calibration)
   }
   addCoverage(views, calibration);
   addUncertainty(calibration);
+  addFit(views, calibration);
   addMirror(calibration);
 }
 

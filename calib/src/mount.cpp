@@ -9,7 +9,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <map>
 #include <string>
@@ -32,6 +34,13 @@ struct Sight
 using Unknowns = Eigen::VectorXd;
 
 constexpr Eigen::Index kMount = 3;
+
+std::string rounded(double value)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", value);
+  return text.data();
+}
 
 /** The odometry of a drive as steps from place to place. */
 class Way
@@ -126,6 +135,7 @@ std::vector<Sight> sightsOf(const std::vector<MountSample> &drive, int &landmark
 void checkDrive(const std::vector<MountSample> &drive, int landmarks)
 {
   constexpr double kShortest = 0.5; // metres
+  constexpr double kLongest = 20.0; // metres
   constexpr double kLeast = 90.0;   // degrees
   constexpr int kFewest = 25;
   double way = 0.0;
@@ -137,11 +147,15 @@ void checkDrive(const std::vector<MountSample> &drive, int landmarks)
     }
   }
   if (way < kShortest) {
-    throw ConfigError("the robot drove " + std::to_string(way) +
+    throw ConfigError("the robot drove " + rounded(way) +
                       " m; the camera's yaw shows only on a straight line of 0.5 m or more");
   }
+  if (way > kLongest) {
+    throw ConfigError("the robot drove " + rounded(way) +
+                      " m, which is no short drive; are its poses in metres?");
+  }
   if (degrees(turn) < kLeast) {
-    throw ConfigError("the robot turned " + std::to_string(degrees(turn)) +
+    throw ConfigError("the robot turned " + rounded(degrees(turn)) +
                       " degrees; the camera's offset shows only in a turn of 90 or more");
   }
   if (landmarks < kFewest) {
@@ -428,15 +442,28 @@ Eigen::Matrix3d widened(const Eigen::Matrix3d &covariance, const Seen &seen, con
   return factor.matrix().asDiagonal() * covariance * factor.matrix().asDiagonal();
 }
 
-void checkSigmas(const Eigen::Matrix3d &covariance)
+/** @param scale of the bearings' errors but for a few, radians */
+void checkEstimate(const MountEstimate &estimate, double scale)
 {
-  constexpr double kMost = radians(1.5);
+  constexpr double kYaw = radians(1.5);
+  constexpr double kOffset = 0.03;  // metres
+  constexpr double kFarthest = 1.0; // metres
+  constexpr double kRough = radians(1.0);
+  const Eigen::Matrix3d &covariance = estimate.covariance;
   const double yaw = std::sqrt(covariance(2, 2));
-  if (!(yaw < kMost) || !covariance.allFinite() || (covariance.diagonal().array() < 0.0).any()) {
+  const double offset = std::sqrt(std::max(covariance(0, 0), covariance(1, 1)));
+  if (!covariance.allFinite() || !(yaw < kYaw) || !(offset < kOffset)) {
     throw ConfigError("the drive tells the camera's yaw to no better than " +
-                      std::to_string(degrees(yaw)) +
-                      " degrees; turn on the spot, then drive a metre straight, with things near "
-                      "by in sight on all sides");
+                      rounded(degrees(yaw)) + " degrees and its place to " + rounded(offset) +
+                      " m; turn on the spot, then drive a metre straight, with things near by in "
+                      "sight on all sides");
+  }
+  const double away = estimate.rMp.translation().norm();
+  if (away > kFarthest || scale > kRough) {
+    throw ConfigError("the pictures do not fit the odometry: the camera would sit " +
+                      rounded(away) + " m from the robot's middle, bearings off by " +
+                      rounded(degrees(scale)) +
+                      " degrees; is each picture of the pose beside it, in metres and radians?");
   }
 }
 
@@ -502,7 +529,7 @@ MountEstimate calibrateMount(const std::vector<MountSample> &drive)
   const std::vector<Direction> directions = directionsOf(seen, best);
   checkAllRound(directions);
   estimate.covariance = widened(estimate.covariance, seen, best, directions);
-  checkSigmas(estimate.covariance);
+  checkEstimate(estimate, scale);
   return estimate;
 }
 

@@ -36,11 +36,11 @@ void check(const std::vector<cv::Mat> &pictures, const MirrorSheet &sheet)
       throw ConfigError("the pictures differ in size; they must come from one camera");
     }
   }
-  if (sheet.xi && !(*sheet.xi > 0.3 && *sheet.xi < 3.0)) {
+  if (sheet.xi && !(*sheet.xi >= 0.3 && *sheet.xi <= 3.0)) {
     throw ConfigError("xi of the mirror must lie between 0.3 and 3, not " +
                       std::to_string(*sheet.xi));
   }
-  if (sheet.rimElevation && !(std::abs(*sheet.rimElevation) < radians(60.0))) {
+  if (sheet.rimElevation && !(std::abs(*sheet.rimElevation) <= radians(60.0))) {
     throw ConfigError("the elevation that the rim shows must lie between -60 and 60 degrees, not " +
                       std::to_string(degrees(*sheet.rimElevation)));
   }

@@ -188,6 +188,10 @@ void say(const FoundBoards &found, const Calibration &calibration, const Calibra
   std::printf("%zu of %zu boards found; rms %.3f px, %.3f px without %d outliers; wrote %s\n",
               found.views.views.size(), found.tried, calibration.rms, calibration.robustRms,
               calibration.outliers, options.output.c_str());
+  if (calibration.model->name() != "unified") {
+    std::fprintf(stderr, "homeward-calibrate: homeward itself drives with the unified model only; "
+                         "this file is for other programs, without mirror and mount\n");
+  }
   for (const std::string &missed : found.missed) {
     std::fprintf(stderr, "homeward-calibrate: no board in %s\n", missed.c_str());
   }

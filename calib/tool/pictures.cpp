@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <glob.h>
 #include <set>
@@ -91,8 +92,22 @@ cv::Mat readPicture(const std::string &file)
   return toEightBits(picture);
 }
 
+bool same(const cv::Mat &a, const cv::Mat &b)
+{
+  return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0.0;
+}
+
+/** Adds a picture; one that is there already would count twice and is left out. */
 void add(Pictures &pictures, const std::string &name, const cv::Mat &image)
 {
+  const auto twin = std::find_if(pictures.images.begin(), pictures.images.end(),
+                                 [&](const cv::Mat &other) { return same(other, image); });
+  if (twin != pictures.images.end()) {
+    std::fprintf(stderr, "homeward-calibrate: %s shows the same as %s, pixel by pixel; left out\n",
+                 name.c_str(),
+                 pictures.names[static_cast<std::size_t>(twin - pictures.images.begin())].c_str());
+    return;
+  }
   if (!pictures.images.empty() && pictures.images[0].size() != image.size()) {
     const cv::Mat &first = pictures.images[0];
     throw ConfigError(name + " has " + std::to_string(image.cols) + " x " +
@@ -102,6 +117,18 @@ void add(Pictures &pictures, const std::string &name, const cv::Mat &image)
   }
   pictures.names.push_back(name);
   pictures.images.push_back(image);
+}
+
+/** So many of the pictures, evenly. */
+Pictures thinned(const Pictures &pictures, std::size_t count)
+{
+  Pictures result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = i * pictures.images.size() / count;
+    result.names.push_back(pictures.names[from]);
+    result.images.push_back(pictures.images[from]);
+  }
+  return result;
 }
 
 } // namespace
@@ -123,24 +150,25 @@ Pictures readFilm(const std::string &file, int most)
   // every other one goes.
   VideoCamera film(file);
   Pictures pictures;
+  const auto wanted = static_cast<std::size_t>(most);
   long step = 1;
   for (long number = 0;; ++number) {
     const auto frame = film.grab();
     if (!frame) {
       break;
     }
-    if (number % step != 0) {
-      continue;
+    if (number % step != 0 ||
+        (!pictures.images.empty() && same(pictures.images.back(), frame->image))) {
+      continue; // what cannot be decoded shows the frame before
     }
     add(pictures, file + " frame " + std::to_string(number), frame->image.clone());
-    if (static_cast<int>(pictures.images.size()) >= 2 * most) {
-      Pictures thinned;
-      for (std::size_t i = 0; i < pictures.images.size(); i += 2) {
-        add(thinned, pictures.names[i], pictures.images[i]);
-      }
-      pictures = thinned;
+    if (pictures.images.size() >= 2 * wanted) {
+      pictures = thinned(pictures, wanted);
       step *= 2;
     }
+  }
+  if (pictures.images.size() > wanted) {
+    pictures = thinned(pictures, wanted);
   }
   if (pictures.images.empty()) {
     throw ConfigError("the film " + file + " holds no pictures");

@@ -56,14 +56,6 @@ nlohmann::json summaryOf(const QuickCalibration &quick, std::size_t pictures)
   return json;
 }
 
-void writePanorama(const std::string &file, const MirrorCamera &camera, const cv::Mat &picture)
-{
-  const Unwarper unwarper(camera, wholePanorama(camera));
-  if (!cv::imwrite(file, unwarper.unwarp(picture).image)) {
-    throw RuntimeError("cannot write " + file + "; is it named .png or .jpg?");
-  }
-}
-
 void calibrateQuickly(const QuickOptions &options)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -75,10 +67,12 @@ void calibrateQuickly(const QuickOptions &options)
   const QuickCalibration quick = calibrateFromScene(pictures.images, sheet);
   const MirrorCamera camera{quick.camera, ringOf(quick.mirror, quick.camera), options.mount.mount(),
                             rimOf(quick.mirror)};
-  writeText(options.output, formatMirrorCamera(camera));
   if (!options.panorama.empty()) {
-    writePanorama(options.panorama, camera, pictures.images.front());
+    const Unwarper unwarper(camera, wholePanorama(camera));
+    writeText(options.panorama,
+              encodePicture(options.panorama, unwarper.unwarp(pictures.images.front()).image));
   }
+  writeText(options.output, formatMirrorCamera(camera));
   nlohmann::json json = summaryOf(quick, pictures.images.size());
   json["camera"] = options.output;
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;

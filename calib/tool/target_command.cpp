@@ -49,7 +49,7 @@ void addTargetCommand(CliCommand app)
   CliCommand command = app.command("target", "Print a target to scale");
   command.examples(
       "Example: homeward-calibrate target --target charuco --columns 8 --rows 6 --pitch "
-      "45 --paper a3 --pdf board.pdf\nPrint at 100 %, check the scale of 100 mm, glue it "
+      "45 --paper a2 --pdf board.pdf\nPrint at 100 %, check the scale of 100 mm, glue it "
       "on something flat.");
   addTargetOptions(command, options->target);
   command.output("--pdf", options->pdf, "PDF to write (- for standard output)");

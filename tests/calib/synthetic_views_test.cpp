@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Mirrors, KnownMirror,
 /** Views as of a board that is bent a little, every time in another way. */
 BoardViews bent(BoardViews views, std::uint64_t seed)
 {
-  constexpr double kShare = 0.003;
+  constexpr double kShare = 5e-4;
   Random random(seed, 1);
   for (BoardView &view : views.views) {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();

@@ -58,6 +58,10 @@ MirrorCamera cameraOf(const YAML::Node &root, const std::string &origin)
                       (model && model.IsScalar() ? ", not '" + model.Scalar() + "'" : ""));
   }
   const Section image(root["image"], "image", origin, {"width", "height"});
+  if (!root["mirror"]) {
+    throw ConfigError(origin + ": mirror is missing, the file tells the camera only; "
+                               "homeward-calibrate convert --picture PICTURE adds its rim");
+  }
   const Section mirror(root["mirror"], "mirror", origin, {"inner_radius_px", "outer_radius_px"});
   const Section mount(root["mount"], "mount", origin, {"forward_deg", "left_is_clockwise"});
   const MirrorRing ring{mirror.number("inner_radius_px"), mirror.number("outer_radius_px")};

@@ -23,7 +23,7 @@ public:
           const std::vector<std::string> &known)
       : m_node(node), m_name(std::move(name)), m_origin(std::move(origin))
   {
-    if (!m_node.IsMap()) {
+    if (!m_node.IsDefined() || !m_node.IsMap()) {
       throw ConfigError(m_origin + ": " + m_name + " is missing or no mapping");
     }
     std::set<std::string> seen;

@@ -24,7 +24,8 @@ struct DriveView
  * known by odometry, the way should be short, 0.15 m or so
  * @param visible CV_8UC1 of the pictures' size, 0 where they show no scene, or empty
  * @return one a view; landmarks have their number from their first sight on
- * @throw LogicError when geometries differ or a picture is not gray
+ * @throw LogicError when geometries differ or a picture is not gray, ConfigError when a picture is
+ * the same as the one before although the robot moved
  */
 std::vector<MountSample> trackBearings(const std::vector<DriveView> &drive,
                                        const cv::Mat &visible = cv::Mat());
