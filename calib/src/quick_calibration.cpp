@@ -8,6 +8,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace homeward
@@ -71,23 +72,23 @@ cv::Mat1b meanOf(const std::vector<cv::Mat1b> &pictures)
   return mean;
 }
 
-} // namespace
-
-QuickCalibration calibrateFromScene(const std::vector<cv::Mat> &pictures, const MirrorSheet &sheet)
+/** The mirror of a picture. */
+MirrorCircles mirrorIn(const std::vector<cv::Mat1b> &grays)
 {
-  check(pictures, sheet);
-  std::vector<cv::Mat1b> grays;
-  for (const cv::Mat &picture : pictures) {
-    grays.push_back(grayOf(picture));
-  }
   const auto mirror = findMirror(meanOf(grays));
   if (!mirror) {
     throw ConfigError("no mirror is seen in the picture; its round rim must show, or use a target");
   }
-  const SceneLines lines(grays, *mirror);
+  return *mirror;
+}
+
+QuickCalibration fromGrays(const std::vector<cv::Mat1b> &grays, const MirrorCircles &mirror,
+                           const MirrorSheet &sheet)
+{
+  const SceneLines lines(grays, mirror);
   const bool enough = lines.count() >= kEnoughLines;
-  MirrorShape start{*mirror, sheet.xi.value_or(kUsualXi), sheet.rimElevation.value_or(kUsualRim)};
-  QuickCalibration result{start.camera(grays[0].size()), *mirror, 0, 0.0, {}, {}};
+  MirrorShape start{mirror, sheet.xi.value_or(kUsualXi), sheet.rimElevation.value_or(kUsualRim)};
+  QuickCalibration result{start.camera(grays[0].size()), mirror, 0, 0.0, {}, {}};
   if (enough) {
     SceneLines::Fit fit = lines.fit(start, !sheet.xi, !sheet.rimElevation);
     if (!sheet.xi && !fit.tellsXi) {
@@ -116,6 +117,51 @@ QuickCalibration calibrateFromScene(const std::vector<cv::Mat> &pictures, const 
   result.assumed.emplace_back("square pixels and no lens distortion");
   result.assumed.emplace_back("the mirror's axis stands upright");
   return result;
+}
+
+/** Of a picture so many times larger, pixels' middles being whole numbers. */
+Circle reduced(const Circle &circle, int factor)
+{
+  return {((circle.centre.array() + 0.5) / factor - 0.5).matrix(), circle.radius / factor};
+}
+
+QuickCalibration reduced(QuickCalibration result, int factor, const cv::Size &size)
+{
+  UnifiedCamera::Parameters p = result.camera.parameters();
+  p.fx /= factor;
+  p.fy /= factor;
+  p.cx = (p.cx + 0.5) / factor - 0.5;
+  p.cy = (p.cy + 0.5) / factor - 0.5;
+  result.camera = UnifiedCamera(p, size.width, size.height);
+  result.mirror.inner = reduced(result.mirror.inner, factor);
+  result.mirror.outer = reduced(result.mirror.outer, factor);
+  result.bendPx /= factor;
+  return result;
+}
+
+} // namespace
+
+QuickCalibration calibrateFromScene(const std::vector<cv::Mat> &pictures, const MirrorSheet &sheet)
+{
+  check(pictures, sheet);
+  std::vector<cv::Mat1b> grays;
+  for (const cv::Mat &picture : pictures) {
+    grays.push_back(grayOf(picture));
+  }
+  const MirrorCircles mirror = mirrorIn(grays);
+  constexpr double kSmall =
+      300.0; // pixels; in smaller mirrors edges hardly bend by more than noise
+  constexpr int kMost = 4;
+  const int factor =
+      std::clamp(static_cast<int>(std::ceil(kSmall / mirror.outer.radius)), 1, kMost);
+  if (factor == 1) {
+    return fromGrays(grays, mirror, sheet);
+  }
+  const cv::Size size = grays[0].size();
+  for (cv::Mat1b &gray : grays) {
+    cv::resize(gray, gray, {}, factor, factor, cv::INTER_CUBIC);
+  }
+  return reduced(fromGrays(grays, mirrorIn(grays), sheet), factor, size);
 }
 
 } // namespace homeward
