@@ -134,9 +134,10 @@ std::vector<Sight> sightsOf(const std::vector<MountSample> &drive, int &landmark
 
 void checkDrive(const std::vector<MountSample> &drive, int landmarks)
 {
-  constexpr double kShortest = 0.5; // metres
-  constexpr double kLongest = 20.0; // metres
-  constexpr double kLeast = 90.0;   // degrees
+  constexpr double kShortest = 0.5;  // metres
+  constexpr double kLongest = 20.0;  // metres
+  constexpr double kSharpest = 60.0; // degrees
+  constexpr double kLeast = 90.0;    // degrees
   constexpr int kFewest = 25;
   double way = 0.0;
   double turn = 0.0;
@@ -149,6 +150,14 @@ void checkDrive(const std::vector<MountSample> &drive, int landmarks)
   if (way < kShortest) {
     throw ConfigError("the robot drove " + rounded(way) +
                       " m; the camera's yaw shows only on a straight line of 0.5 m or more");
+  }
+  for (std::size_t i = 1; i < drive.size(); ++i) {
+    const double step = degrees(wrapAngle(drive[i].oMr.heading - drive[i - 1].oMr.heading));
+    if (std::abs(step) > kSharpest) {
+      throw ConfigError("the robot turned " + rounded(step) + " degrees from picture " +
+                        std::to_string(i - 1) +
+                        " to the next, which none can follow; are its headings in radians?");
+    }
   }
   if (way > kLongest) {
     throw ConfigError("the robot drove " + rounded(way) +

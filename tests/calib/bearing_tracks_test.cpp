@@ -80,6 +80,16 @@ TEST(BearingTracks, TakeNothingFromWhereThePictureShowsNoScene)
   }
 }
 
+TEST(BearingTracks, RefuseAFrozenCamera)
+{
+  auto views = drive({});
+  views.resize(3);
+  views[2].panorama = views[1].panorama;
+  EXPECT_THROW(trackBearings(views), ConfigError);
+  views[2].oMr = views[1].oMr;
+  EXPECT_NO_THROW(trackBearings(views));
+}
+
 TEST(BearingTracks, RefuseMixedPictures)
 {
   auto views = drive({});

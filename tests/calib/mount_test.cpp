@@ -131,6 +131,17 @@ TEST(Mount, SaysWhatWasNotDriven)
   EXPECT_THAT(refusal({}), testing::HasSubstr("drove"));
   EXPECT_THAT(refusal(driven(truth, {.round = radians(120.0)}, 1)), testing::HasSubstr("one side"));
   auto drive = driven(truth, {}, 1);
+  auto millimetres = drive;
+  for (MountSample &sample : millimetres) {
+    sample.oMr.x *= 1000.0;
+    sample.oMr.y *= 1000.0;
+  }
+  EXPECT_THAT(refusal(millimetres), testing::HasSubstr("metres"));
+  auto degreesForRadians = drive;
+  for (MountSample &sample : degreesForRadians) {
+    sample.oMr.heading = wrapAngle(degrees(sample.oMr.heading));
+  }
+  EXPECT_THAT(refusal(degreesForRadians), testing::Not(testing::HasSubstr("accepted")));
   for (MountSample &sample : drive) {
     sample.bearings.resize(2);
   }

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <cmath>
 
@@ -62,6 +63,19 @@ TEST(QuickCalibration, straightensTheRealPicture)
   EXPECT_NEAR(angleAt(quick.camera, 443.0), 90.0, 2.0);
   EXPECT_GT(quick.lines, 40);
   EXPECT_THAT(quick.assumed, testing::Contains(testing::HasSubstr("hardly tell")));
+}
+
+TEST(QuickCalibration, seesTheSameInASmallPicture)
+{
+  HOMEWARD_NEEDS_OUTSIDE_DATA("mirror/example.jpg");
+  const cv::Mat picture = cv::imread((outsideDataDir() / "mirror/example.jpg").string());
+  cv::Mat small;
+  cv::resize(picture, small, {}, 1.0 / 3.0, 1.0 / 3.0, cv::INTER_AREA);
+  const auto large = calibrateFromScene({picture}, {}).camera.parameters();
+  const auto third = calibrateFromScene({small}, {}).camera.parameters();
+  EXPECT_NEAR(3.0 * third.fx, large.fx, 0.05 * large.fx);
+  EXPECT_NEAR(third.cx, large.cx / 3.0, 2.0);
+  EXPECT_EQ(calibrateFromScene({small}, {}).camera.width(), small.cols);
 }
 
 TEST(QuickCalibration, saysWhenThereIsNothingToGoBy)

@@ -167,6 +167,20 @@ TEST(SyntheticViews, WrongPointsAreNamedAndDoNoHarm)
   EXPECT_GT(named, 40);
 }
 
+TEST(SyntheticViews, ManyWrongPointsOrWrongMeasuresAreSaid)
+{
+  const auto warnings = [](const BoardViews &views) { return calibrate(views).warnings; };
+  ViewPlan plan = closePlan(15);
+  EXPECT_THAT(warnings(takeViews(mirror(0.95), plan, 5)), testing::IsEmpty());
+  plan.outliers = 0.2;
+  EXPECT_THAT(warnings(takeViews(mirror(0.95), plan, 5)),
+              testing::Contains(testing::HasSubstr("not believed")));
+  plan.outliers = 0.0;
+  plan.noise = 0.5;
+  EXPECT_THAT(warnings(takeViews(mirror(0.95), plan, 5)),
+              testing::Contains(testing::HasSubstr("measures")));
+}
+
 // A flat board seen in a mirror has a proper pose all the same; only the side that shows differs.
 TEST(SyntheticViews, AMirroredPictureIsToldFromAnUnmirroredOne)
 {

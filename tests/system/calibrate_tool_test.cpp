@@ -4,6 +4,8 @@
 #include "test_paths.h"
 
 #include <homeward/camera/camera_file.h>
+#include <homeward/core/angle.h>
+#include <homeward/core/error.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -141,6 +143,46 @@ TEST(CalibrateTool, convertsThereAndBack)
   ASSERT_EQ(back.status, 0) << back.output;
   EXPECT_THAT(back.output, HasSubstr("ocam as unified: off by "));
   EXPECT_THAT(fileText(again), HasSubstr("xi"));
+}
+
+TEST(CalibrateTool, keepsOrFindsTheMirrorOfACameraThatIsConverted)
+{
+  const Folder folder;
+  const std::string camera = folder / "camera.yaml";
+  std::ofstream(camera) << formatMirrorCamera(
+      {UnifiedCamera({0.95, 190, 190, 330, 236, 0, 0, 0, 0}, 640, 480),
+       {44.0, 227.0},
+       {0.5, false}});
+  const std::string before = fileText(camera);
+  EXPECT_EQ(runProgram("convert " + camera + " " + camera).status, 0);
+  EXPECT_EQ(fileText(camera), before);
+
+  const std::string foreign = folder / "foreign.yaml";
+  EXPECT_EQ(runProgram("convert " + camera + " " + foreign + " --to kalibr").status, 0);
+  const std::string bare = folder / "bare.yaml";
+  const ProgramRun said = runProgram("convert " + foreign + " " + bare);
+  EXPECT_THAT(said.output, HasSubstr("--picture"));
+  EXPECT_THROW(parseMirrorCamera(fileText(bare), bare), ConfigError);
+  paintPictures(folder, {TargetKind::Chessboard, 9, 6, 0.03}, 3);
+  const ProgramRun whole = runProgram("convert " + foreign + " " + bare +
+                                      " --forward 30 --picture " + (folder / "board2.png"));
+  ASSERT_EQ(whole.status, 0) << whole.output;
+  const MirrorCamera found = parseMirrorCamera(fileText(bare), bare);
+  EXPECT_NEAR(found.ring.outer, 227.0, 3.0);
+  EXPECT_NEAR(found.ring.inner, 43.0, 3.0);
+  EXPECT_NEAR(found.mount.forward, radians(30.0), 1e-9);
+}
+
+TEST(CalibrateTool, countsAPictureOnce)
+{
+  const Folder folder;
+  paintPictures(folder, {TargetKind::Charuco, 6, 4, 0.06}, 9);
+  const std::string pictures = " '" + (folder / "board*.png") + "'";
+  const ProgramRun run = runProgram("--target charuco --columns 6 --rows 4 --pitch 60 -o " +
+                                    (folder / "camera.yaml") + pictures + pictures);
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("left out"));
+  EXPECT_THAT(run.output, HasSubstr("9 of 9 boards"));
 }
 
 TEST(CalibrateTool, refusesWhatIsNoCamera)
