@@ -145,6 +145,7 @@ QuickCalibration calibrateFromScene(const std::vector<cv::Mat> &pictures, const 
 {
   check(pictures, sheet);
   std::vector<cv::Mat1b> grays;
+  grays.reserve(pictures.size());
   for (const cv::Mat &picture : pictures) {
     grays.push_back(grayOf(picture));
   }

@@ -18,6 +18,7 @@ std::vector<DriveView> drive(const Pose2 &rMp)
 {
   const SyntheticRoom room(3, 7.0, 5.0);
   std::vector<Pose2> poses;
+  poses.reserve(52);
   for (int i = 0; i < 36; ++i) {
     poses.push_back({-0.8, 0.3, wrapAngle(radians(10.0 * i))});
   }
@@ -25,6 +26,7 @@ std::vector<DriveView> drive(const Pose2 &rMp)
     poses.push_back({-0.8 + 0.1 * i, 0.3, 0.0});
   }
   std::vector<DriveView> views;
+  views.reserve(poses.size());
   for (const Pose2 &oMr : poses) {
     views.push_back({oMr, room.view(oMr * rMp)});
   }

@@ -177,6 +177,7 @@ TEST_P(PlaceIndexLaw, threadsAndBatchesChangeNothing)
   const std::vector<Signature> queries{draw(256), draw(256), drawn};
   const auto asPairs = [](const std::vector<Match> &matches) {
     std::vector<std::pair<std::int64_t, double>> pairs;
+    pairs.reserve(matches.size());
     for (const Match &match : matches) {
       pairs.emplace_back(match.node.value, match.dissimilarity);
     }
