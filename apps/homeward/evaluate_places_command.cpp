@@ -30,7 +30,7 @@ struct PlacesArguments
   std::vector<std::string> lightsMap{"day"};
   std::vector<std::string> lightsNow; ///< empty: all there are
   std::vector<std::string> signatures;
-  std::vector<std::string> warping{"edge_fourier"};
+  std::vector<std::string> warping{"aligned_edges"};
   double spacing = 0.9;
   double sameDistance = 1.0;
   std::size_t queries = 100;

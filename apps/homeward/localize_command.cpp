@@ -26,7 +26,7 @@ struct LocalizeArguments
 {
   std::string train;
   std::string test;
-  std::string signature = "edge_fourier";
+  std::string signature = "aligned_edges";
   std::string json;
   bool global = false;
   bool local = false;

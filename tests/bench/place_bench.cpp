@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/core/random.h>
+#include <homeward/place/histogram.h>
 #include <homeward/place/place_index.h>
 
 #include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -90,6 +92,30 @@ BENCHMARK_CAPTURE(BM_Histogram, chi_square, SignatureKind::ChiSquare)
 BENCHMARK_CAPTURE(BM_Histogram, sad, SignatureKind::AbsoluteDifferences)
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(BM_Histogram, hellinger, SignatureKind::Hellinger)->Unit(benchmark::kMicrosecond);
+
+/** One query of aligned edges, as long as makeSignature() makes them, against 1,000 nodes. */
+void BM_AlignedEdges(benchmark::State &state)
+{
+  constexpr std::size_t kSpectra = 32;
+  Random random(11, 0);
+  const auto draw = [&random] {
+    Signature drawn{SignatureKind::AlignedEdges, kPixels,
+                    std::vector<float>(2 * kTurnFrequencies * kSpectra)};
+    std::generate(drawn.values.begin(), drawn.values.end(),
+                  [&random] { return static_cast<float>(random.normal(1.0)); });
+    return drawn;
+  };
+  PlaceIndex index(SignatureKind::AlignedEdges);
+  for (std::int64_t id = 0; id < kNodes; ++id) {
+    index.add(NodeId{id}, draw());
+  }
+  const Signature query = draw();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(index.nearest(query, 20).data());
+  }
+  state.counters["bytes_per_node"] = static_cast<double>(index.bytesPerNode());
+}
+BENCHMARK(BM_AlignedEdges)->Unit(benchmark::kMicrosecond);
 
 constexpr std::int64_t kMillion = 1000000;
 

@@ -95,13 +95,13 @@ int main()
   const DataSet atNight = takePictures(laboratory, comeBack(), LightPreset::Night);
 
   std::printf("%zu places known; each view is given the place most like it\n", kPlaces.size());
-  std::printf("signature     by day  at night\n");
+  std::printf("signature      by day  at night\n");
   std::vector<cv::Mat> pictures;
-  for (const SignatureKind kind : {SignatureKind::Jeffrey, SignatureKind::EdgeFourier}) {
+  for (const SignatureKind kind : {SignatureKind::Jeffrey, SignatureKind::AlignedEdges}) {
     const std::vector<Signature> known = describe(places, kind);
     const std::vector<Signature> seen = describe(atNight, kind);
     const std::string title(name(kind));
-    std::printf("%-12s  %2d right  %2d right\n", title.c_str(),
+    std::printf("%-13s  %2d right  %2d right\n", title.c_str(),
                 countFound(known, describe(byDay, kind)), countFound(known, seen));
     pictures.push_back(draw(title, known, seen));
   }

@@ -88,7 +88,9 @@ void PlaceTrial::rankAgain(Candidates &candidates) const
   inParallel(candidates.size(), m_options.threads, [&](std::size_t q) {
     for (Match &candidate : candidates[q]) {
       const auto match = warping.match(m_queryFeatures[q], m_knownFeatures[indexOf(candidate)]);
-      candidate.dissimilarity = match ? match->matchDistance : std::numeric_limits<double>::max();
+      // Two looks that err apart: their product is surer than each of them.
+      candidate.dissimilarity = match ? match->matchDistance * candidate.dissimilarity
+                                      : std::numeric_limits<double>::max();
     }
     std::stable_sort(
         candidates[q].begin(), candidates[q].end(),

@@ -51,7 +51,7 @@ public:
   /** Ranked by signature alone. */
   PlaceFigures bySignature(SignatureKind kind) const;
 
-  /** The candidates of a signature, ranked again by the match distance of min-warping. */
+  /** The candidates of a signature, ranked again by it times the match distance of min-warping. */
   PlaceFigures byWarping(SignatureKind kind) const;
 
 private:
