@@ -93,14 +93,19 @@ Subject renderSubject(const PlacesArguments &arguments)
 nlohmann::json jsonOf(const PlaceFigures &figures)
 {
   const PlaceScore &score = figures.score;
-  return {{"queries", score.queries},
-          {"recall_at_1", score.recallAt1},
-          {"recall_at_5", score.recallAt5},
-          {"recall_at_20", score.recallAt20},
-          {"recall_at_full_precision", score.recallAtFullPrecision},
-          {"auc_pr", score.aucPr},
-          {"bytes", figures.bytes},
-          {"us_per_query", figures.microsecondsPerQuery}};
+  nlohmann::json json = {{"queries", score.queries},
+                         {"recall_at_1", score.recallAt1},
+                         {"recall_at_5", score.recallAt5},
+                         {"recall_at_20", score.recallAt20},
+                         {"recall_at_full_precision", score.recallAtFullPrecision},
+                         {"auc_pr", score.aucPr},
+                         {"bytes", figures.bytes},
+                         {"us_per_query", figures.microsecondsPerQuery}};
+  if (figures.sure) {
+    json["sure_matches"] = figures.sure->matches;
+    json["sure_and_right"] = figures.sure->right;
+  }
+  return json;
 }
 
 void printFigures(const std::string &name, const PlaceFigures &figures)
@@ -110,6 +115,10 @@ void printFigures(const std::string &name, const PlaceFigures &figures)
               100.0 * score.recallAt1, 100.0 * score.recallAt5, 100.0 * score.recallAt20,
               100.0 * score.recallAtFullPrecision, score.aucPr, figures.bytes,
               figures.microsecondsPerQuery);
+  if (figures.sure) {
+    std::printf("  %zu matches are given 0.9 or more, %zu of them are right\n",
+                figures.sure->matches, figures.sure->right);
+  }
 }
 
 nlohmann::json evaluatePair(const PlacesArguments &arguments, const PlaceViews &known,

@@ -83,6 +83,11 @@ TEST(PlaceTrial, findsViewsNextToKnownOnes)
     EXPECT_GE(figures.score.recallAt1, 0.8);
     EXPECT_EQ(figures.bytes, 10U * 30U * 4U);
     EXPECT_DOUBLE_EQ(trial.byWarping(SignatureKind::AbsoluteDifferences).score.recallAt1, 1.0);
+    const PlaceFigures aligned = trial.byWarping(SignatureKind::AlignedEdges);
+    EXPECT_DOUBLE_EQ(aligned.score.recallAt1, 1.0);
+    ASSERT_TRUE(aligned.sure.has_value());
+    EXPECT_GE(aligned.sure->matches, 4U);
+    EXPECT_EQ(aligned.sure->right, aligned.sure->matches);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "parallel.h"
 
 #include <homeward/homing/min_warping.h>
+#include <homeward/place/same_place.h>
 
 #include <algorithm>
 #include <chrono>
@@ -88,7 +89,7 @@ void PlaceTrial::rankAgain(Candidates &candidates) const
   inParallel(candidates.size(), m_options.threads, [&](std::size_t q) {
     for (Match &candidate : candidates[q]) {
       const auto match = warping.match(m_queryFeatures[q], m_knownFeatures[indexOf(candidate)]);
-      // Two looks that err apart: their product is surer than each of them.
+      // Two looks that err apart are surer together.
       candidate.dissimilarity = match ? match->matchDistance * candidate.dissimilarity
                                       : std::numeric_limits<double>::max();
     }
@@ -100,9 +101,6 @@ void PlaceTrial::rankAgain(Candidates &candidates) const
 
 PlaceScore PlaceTrial::score(const Candidates &candidates) const
 {
-  const auto distance = [&](std::size_t query, std::size_t known) {
-    return (m_queries.poses[query].translation() - m_known.poses[known].translation()).norm();
-  };
   const bool same = &m_known == &m_queries;
   std::vector<PlaceAnswer> answers(candidates.size());
   for (std::size_t q = 0; q < answers.size(); ++q) {
@@ -135,7 +133,28 @@ PlaceFigures PlaceTrial::byWarping(SignatureKind kind) const
   figures.microsecondsPerQuery += spent.count() * m_options.threads /
                                   static_cast<double>(std::max<std::size_t>(1, found.size()));
   figures.score = score(found);
+  if (kind == SignatureKind::AlignedEdges) {
+    figures.sure = sureOnes(found);
+  }
   return figures;
+}
+
+SureMatches PlaceTrial::sureOnes(const Candidates &candidates) const
+{
+  SureMatches sure;
+  for (std::size_t q = 0; q < candidates.size(); ++q) {
+    if (!candidates[q].empty() &&
+        samePlaceProbability(candidates[q].front().dissimilarity, 1.0) >= kSureProbability) {
+      ++sure.matches;
+      sure.right += distance(q, indexOf(candidates[q].front())) <= m_options.sameDistance ? 1U : 0U;
+    }
+  }
+  return sure;
+}
+
+double PlaceTrial::distance(std::size_t query, std::size_t known) const
+{
+  return (m_queries.poses[query].translation() - m_known.poses[known].translation()).norm();
 }
 
 } // namespace homeward

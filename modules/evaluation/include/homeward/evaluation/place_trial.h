@@ -6,6 +6,7 @@
 #include <homeward/homing/column_features.h>
 #include <homeward/place/place_index.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,20 @@ struct PlaceViews
 /** The views of a light, in colour where the pictures are. @throw ConfigError as panorama() */
 PlaceViews placeViews(const DataSet &set, const std::string &light);
 
+/** Matches given kSureProbability or more, and how many of them are right. */
+struct SureMatches
+{
+  std::size_t matches = 0;
+  std::size_t right = 0;
+};
+
 /** What one way of recognising places achieved. */
 struct PlaceFigures
 {
   PlaceScore score;
   std::size_t bytes = 0;             ///< of a signature
   double microsecondsPerQuery = 0.0; ///< of one thread, without making the signature
+  std::optional<SureMatches> sure;   ///< where probabilities are known
 };
 
 /**
@@ -60,6 +69,8 @@ private:
   Candidates candidates(SignatureKind kind, PlaceFigures &figures) const;
   void rankAgain(Candidates &candidates) const;
   PlaceScore score(const Candidates &candidates) const;
+  SureMatches sureOnes(const Candidates &candidates) const;
+  double distance(std::size_t query, std::size_t known) const; ///< metres
 
   const PlaceViews &m_known;
   const PlaceViews &m_queries;
