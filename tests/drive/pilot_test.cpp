@@ -190,6 +190,45 @@ TEST_F(SteppingPilotTest, StepsOverWhatIsLeftWhenItStands)
   EXPECT_LT(distanceTo(comeBackExactly()), 0.08);
 }
 
+/** Its sonars look all round. */
+class AllRoundPilotTest : public PilotTest
+{
+protected:
+  AllRoundPilotTest() : PilotTest(allRound()) {}
+
+  static RobotDescription allRound()
+  {
+    RobotDescription robot = testRobot();
+    for (std::size_t i = 0; i < 8; ++i) {
+      const SonarMount &front = robot.sonars[i];
+      robot.sonars.push_back({-front.x, front.y, front.z, wrapAngle(kPi - front.bearing)});
+    }
+    return robot;
+  }
+
+  /** Home from where its nose is at a cabinet: no room to turn, no way that it has come. */
+  HomingEnd homeFromACabinet()
+  {
+    simulator.kidnap(home);
+    ask<Surveyed>(Survey{});
+    const Panorama view = pilot.view();
+    simulator.kidnap({2.704, -3.465, -0.974});
+    Pilot fresh({simulator.clock(), simulator.base(), simulator.laser(), camera}, allRound(),
+                testCamera(), {}, stop);
+    fresh.remember(NodeId{0}, view);
+    return std::get<Homed>(fresh.execute(HomeTo{NodeId{0}, std::nullopt})).end;
+  }
+
+  const Pose2 home{4.816, -2.441, 0.370};
+};
+
+TEST_F(AllRoundPilotTest, BacksOutOfWhereItWasPut)
+{
+  EXPECT_EQ(homeFromACabinet(), HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.3);
+  EXPECT_EQ(simulator.truth().collisions, 0);
+}
+
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
 {
   makeNode(NodeId{0});

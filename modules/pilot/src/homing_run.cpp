@@ -70,7 +70,8 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
       if (!m_seen.empty() && m_seen.back().home.distanceProxy < m_options.besideProxy) {
         return ends(HomingEnd::Arrived);
       }
-      if (m_retreats++ == m_options.retreats || !m_motion.retrace(m_options.retreat)) {
+      if (m_retreats++ == m_options.retreats ||
+          !(m_motion.retrace(m_options.retreat) || m_motion.backOut(m_options.backOut))) {
         return ends(HomingEnd::Blocked);
       }
       m_lastFree = m_motion.devices().clock.now();

@@ -229,6 +229,33 @@ bool Motion::retrace(double distance)
   return moved;
 }
 
+bool Motion::backOut(double distance)
+{
+  constexpr double kSpeed = 0.1;  // m/s
+  constexpr double kBehind = 2.5; // radians; sonars from there on look back
+  constexpr double kAhead = 0.2;  // metres that must be free behind, ...
+  constexpr double kLeast = 0.12; // ... and that make it worth while
+  constexpr int kTicks = 60;
+  stop();
+  const auto &sonar = m_sight.base.sonar;
+  if (std::none_of(sonar.begin(), sonar.end(), [](const SonarEcho &echo) {
+        return std::abs(wrapAngle(echo.bearing)) > kBehind;
+      })) {
+    return false;
+  }
+  const Twist2 back{-kSpeed, 0.0};
+  const double begin = m_travelled;
+  for (int i = 0;
+       i < kTicks && m_travelled - begin < distance && !m_stop && !m_sight.base.stalled &&
+       freeTravel(m_memory.sensed(pose()), m_footprint, back, kAhead) > kLeast;
+       ++i) {
+    command(back);
+    look();
+  }
+  stop();
+  return m_travelled - begin > 0.5 * kLeast;
+}
+
 void Motion::command(const Twist2 &twist)
 {
   m_commanded = twist;

@@ -33,6 +33,7 @@ struct HomingRunOptions
   double headwaySeconds = 12.0; ///< ... within so many seconds; else it is blocked too
   int retreats = 2;             ///< ... so many times, then it gives up
   double retreat = 0.6;         ///< metres it backs out along the way it came
+  double backOut = 0.3;         ///< metres straight back, where it has come no way yet
   double timeoutSeconds = 75.0; ///< s altogether
   double settledProxy = 0.02;   ///< distance proxy of a place reached as well as can be
   double settleSeconds = 20.0;  ///< s at most, to come from there to exactly there

@@ -131,6 +131,13 @@ public:
    */
   bool retrace(double distance);
 
+  /**
+   * Drives slowly straight back, as far as sonars that look there hear nothing: out of where it was
+   * put and can neither turn nor go on.
+   * @return whether the robot has moved; not without such sonars
+   */
+  bool backOut(double distance);
+
   /** Asks for zero velocity, for one tick. */
   void hold() { command({}); }
 
