@@ -64,7 +64,10 @@ std::string_view name(SignatureKind kind);
 /** Version of the numbers in a Signature; it changes whenever stored thresholds lose meaning. */
 inline constexpr int kSignatureVersion = 1;
 
-/** A place in brief. It does not change when the robot turns on the spot. */
+/**
+ * A place in brief. How unlike another it is does not change when the robot turns on the spot; nor
+ * do the values themselves, but for the phases of TurnCorrelation.
+ */
 struct Signature
 {
   SignatureKind kind = SignatureKind::Jeffrey;
