@@ -152,7 +152,8 @@ TEST_P(CutBoards, areFoundAtTheInnerCircle)
 INSTANTIATE_TEST_SUITE_P(Mirrors, CutBoards,
                          testing::Values(Cut{0.8, {}}, Cut{0.95, {}}, Cut{1.05, {}},
                                          Cut{0.95, {TargetKind::Charuco, 9, 7, 0.038}},
-                                         Cut{0.95, {TargetKind::AprilGrid, 5, 4, 0.055}}));
+                                         Cut{0.95, {TargetKind::AprilGrid, 5, 4, 0.055}},
+                                         Cut{0.8, {TargetKind::CircleGrid, 9, 6, 0.03}}));
 
 // A hand is in front of the board's middle: what is on both sides of it is one part or the other.
 TEST(CutBoards, areFoundBehindAHand)
