@@ -43,11 +43,12 @@ MapHeader mapHeader(const RobotFiles &robot, const PilotOptions &options)
   MapHeader header;
   header.cameraHash = contentHashText(robot.cameraText);
   header.panorama = options.panorama;
-  header.signatureKind = std::string(name(SignatureKind::Jeffrey));
+  const bool verified = options.places.recognition == Recognition::Verified;
+  header.signatureKind =
+      std::string(name(verified ? SignatureKind::AlignedEdges : SignatureKind::Jeffrey));
   header.signatureVersion = kSignatureVersion;
   header.thresholds = {{"histogram_threshold", options.places.histogramThreshold},
-                       {"same_distance_m", options.places.sameDistance},
-                       {"same_match", options.places.verifier.sameMatch}};
+                       {"sure_probability", kSureProbability}};
   return header;
 }
 

@@ -132,8 +132,8 @@ TEST(Explorer, TellsPlacesThatLookAlikeApartByTheWaysDriven)
   GridWorld world(ring(), {0, 0});
   world.lookAlike = true;
   ExplorerOptions options = oneMetre();
-  options.samePlace = 0.5;
-  options.sureNear = 0.5;
+  options.placeSigma = 0.2;
+  options.reckoningError = 0.0; // its ways are exact
   const Tour run = explore(world, options);
   EXPECT_EQ(run.finish.outcome, Outcome::Done);
   EXPECT_EQ(world.nodes.size(), 9U);
@@ -174,12 +174,26 @@ TEST(Explorer, SurveysWhereAPlaceSeenCannotBe)
   EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{1}, 1.0, true, 10.0})));
 }
 
-TEST(Explorer, TakesALikelyPlaceWhereItMustBe)
+TEST(Explorer, WeighsWhatItSeesWithTheWaysDriven)
 {
-  const Row row;
-  EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{2}, 0.95, false, 10.0})));
-  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{2}, 0.8, false, 10.0})));
-  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{1}, 0.95, false, 10.0})));
+  const Row row; // half a metre from 2, one and a half from 1
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{2}, 0.7, false, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{2}, 0.5, false, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{1}, 0.98, true, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{1}, 0.7, false, 10.0})));
+}
+
+TEST(Explorer, MakesSureByStrictSightWhereTheWaysReachFarRound)
+{
+  Row row;
+  EXPECT_FALSE(std::get<HomeTo>(row.whenSeen({NodeId{2}, 0.9, true, 10.0})).surely);
+  const int last = 12;
+  for (int i = 2; i < last; ++i) {
+    row.map.apply(NodeAdded{{NodeId{i + 1}, {}}});
+    row.map.apply(EdgeAdded{{EdgeId{i}, NodeId{i}, NodeId{i + 1}, kPi / 6, -kPi / 6 + kPi, 1.0}});
+  }
+  row.state.origin = NodeId{last};
+  EXPECT_TRUE(std::get<HomeTo>(row.whenSeen({NodeId{2}, 0.99, true, 10.0})).surely);
 }
 
 TEST(Explorer, ComesBackFromADriveThatNoEdgeCanStandForAndGivesUpTheSecondTime)

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 namespace homeward
 {
@@ -85,13 +84,21 @@ void PlaceTrial::rankAgain(Candidates &candidates) const
   if (m_knownFeatures.empty()) {
     m_knownFeatures = featuresOf(m_known, warping, m_options.threads);
     m_queryFeatures = featuresOf(m_queries, warping, m_options.threads);
+    m_knownEdges = signaturesOf(m_known, SignatureKind::AlignedEdges, m_options.threads);
+    m_queryEdges = signaturesOf(m_queries, SignatureKind::AlignedEdges, m_options.threads);
   }
   inParallel(candidates.size(), m_options.threads, [&](std::size_t q) {
     for (Match &candidate : candidates[q]) {
-      const auto match = warping.match(m_queryFeatures[q], m_knownFeatures[indexOf(candidate)]);
-      // Two looks that err apart are surer together.
-      candidate.dissimilarity = match ? match->matchDistance * candidate.dissimilarity
-                                      : std::numeric_limits<double>::max();
+      const std::size_t known = indexOf(candidate);
+      const auto match = warping.match(m_queryFeatures[q], m_knownFeatures[known]);
+      PairLook look;
+      look.alignedEdges = dissimilarity(m_queryEdges[q], m_knownEdges[known]);
+      if (match) {
+        look.matchDistance = match->matchDistance;
+        look.contrast = match->contrast;
+        look.distanceProxy = match->home.distanceProxy;
+      }
+      candidate.dissimilarity = otherPlaceOdds(look);
     }
     std::stable_sort(
         candidates[q].begin(), candidates[q].end(),
@@ -133,20 +140,20 @@ PlaceFigures PlaceTrial::byWarping(SignatureKind kind) const
   figures.microsecondsPerQuery += spent.count() * m_options.threads /
                                   static_cast<double>(std::max<std::size_t>(1, found.size()));
   figures.score = score(found);
-  if (kind == SignatureKind::AlignedEdges) {
-    figures.sure = sureOnes(found);
-  }
+  figures.sure = sureOnes(found);
   return figures;
 }
 
 SureMatches PlaceTrial::sureOnes(const Candidates &candidates) const
 {
+  constexpr double kSureOdds = 1.0 / kSureProbability - 1.0;
   SureMatches sure;
   for (std::size_t q = 0; q < candidates.size(); ++q) {
-    if (!candidates[q].empty() &&
-        samePlaceProbability(candidates[q].front().dissimilarity, 1.0) >= kSureProbability) {
-      ++sure.matches;
-      sure.right += distance(q, indexOf(candidates[q].front())) <= m_options.sameDistance ? 1U : 0U;
+    for (const Match &match : candidates[q]) {
+      if (match.dissimilarity <= kSureOdds) {
+        ++sure.matches;
+        sure.right += distance(q, indexOf(match)) <= m_options.sameDistance ? 1U : 0U;
+      }
     }
   }
   return sure;

@@ -9,7 +9,7 @@
 #include <homeward/topology/planner.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace homeward
 {
@@ -185,7 +185,7 @@ private:
   struct Offset
   {
     double distance = 0.0; ///< metres
-    double error = 0.0;    ///< metres that the distance may be wrong
+    double error = 0.0;    ///< of it by the ways, metres, one sigma
   };
 
   void ask(Phase phase, const Command &command)
@@ -196,10 +196,12 @@ private:
 
   void survey() { ask(Phase::Surveying, Survey{}); }
 
+  /** Where places far round are alike, only sight tells that it is the one. */
   void home(Phase phase, NodeId node, std::optional<double> departure)
   {
     m_step.state.target = node;
-    ask(phase, HomeTo{node, departure});
+    const auto off = phase == Phase::Following ? std::optional(Offset{}) : offset(node);
+    ask(phase, HomeTo{node, departure, false, !off || off->error > m_options.surelyBeyond});
   }
 
   void change(const MapChange &made)
@@ -280,25 +282,29 @@ private:
   bool plausible(NodeId node, double reach) const
   {
     const auto off = offset(node);
-    return !off || off->distance <= reach + off->error;
+    return !off || off->distance <= reach + 2.0 * off->error;
   }
 
-  /** The known place that the robot is at, by sight and by the ways driven; nullptr if none. */
+  /** Logarithm of the odds that the robot is at the place, by sight and by the ways driven. */
+  double logOdds(const PlaceMatch &match) const
+  {
+    constexpr double kSurest = 0.99; // views are not surer, however alike
+    const double probability = std::min(match.probability, kSurest);
+    const double sight = std::log(probability / (1.0 - probability));
+    const auto off = offset(match.node);
+    const double sigmas = off ? off->distance / (m_options.placeSigma + off->error) : 0.0;
+    return sight - 0.5 * sigmas * sigmas;
+  }
+
+  /** The known place that the robot most probably is at; nullptr if it is likelier at none. */
   const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches) const
   {
     const PlaceMatch *best = nullptr;
-    double nearest = std::numeric_limits<double>::infinity();
+    double highest = 0.0;
     for (const PlaceMatch &match : matches) {
-      const auto off = offset(match.node);
-      const bool near = off && match.probability >= m_options.likely &&
-                        off->distance <= m_options.sureNear + 0.5 * off->error;
-      const bool seen = match.verified && plausible(match.node, m_options.samePlace);
-      if ((!near && !seen) || tooOftenInVain(match.node)) {
-        continue;
-      }
-      const double distance = off ? off->distance : m_options.samePlace;
-      if (distance < nearest) {
-        nearest = distance;
+      const double odds = logOdds(match);
+      if (odds > highest && !tooOftenInVain(match.node)) {
+        highest = odds;
         best = &match;
       }
     }

@@ -48,15 +48,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
     perceive();
     const Time now = m_motion.devices().clock.now();
     if (arrived()) {
-      if (exactly) {
-        settle();
-        align();
-        for (int step = 0; step < m_options.steps && !settled(); ++step) {
-          stepOver();
-          align();
-        }
-      }
-      return ends(HomingEnd::Arrived);
+      return exactly ? comeCloser() : ends(HomingEnd::Arrived);
     }
     if (toSeconds(now - m_lastSeen) > m_options.lostSeconds) {
       return ends(HomingEnd::Lost);
@@ -83,6 +75,18 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
     }
     drive(wayHome(oDeparture));
   }
+}
+
+HomingRun::Result HomingRun::comeCloser()
+{
+  settle();
+  align();
+  for (int step = 0; step < m_options.steps && !settled(); ++step) {
+    stepOver();
+    align();
+  }
+  m_motion.stop();
+  return {HomingEnd::Arrived, placeHeading()};
 }
 
 void HomingRun::perceive()

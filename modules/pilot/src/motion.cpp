@@ -72,6 +72,7 @@ void Motion::read()
   m_nextTick = std::max(m_nextTick + fromSeconds(m_options.tickSeconds), m_devices.clock.now());
   m_devices.clock.sleepUntil(m_nextTick);
   m_sight.base = m_devices.base.state();
+  m_sight.base.odometry = m_turns.follow(m_sight.base.odometry);
   m_sight.scan = m_devices.laser.scan();
   constexpr std::size_t kPast = 30;
   if (m_past.empty() || m_past.back().stamp < m_sight.base.stamp) {

@@ -68,7 +68,6 @@ void Pilot::followCamera(const cv::Mat &picture)
 void Pilot::alignWithPlace()
 {
   constexpr double kSure = 0.15;
-  constexpr double kLargestDrift = 0.5; // radians; more is a view mistaken, not odometry
   if (!m_place) {
     return;
   }
@@ -77,8 +76,10 @@ void Pilot::alignWithPlace()
     return;
   }
   const double heading = wrapAngle(m_motion.pose().heading - home->headingChange);
-  if (std::abs(wrapAngle(heading - m_oMplace.heading)) < kLargestDrift) {
+  if (m_motion.learnTurns(m_motion.turned() - m_leftTurned,
+                          wrapAngle(m_oMplace.heading - heading))) {
     m_oMplace.heading = heading;
+    m_leftTurned = m_motion.turned();
   }
 }
 
@@ -99,12 +100,13 @@ void Pilot::remember(NodeId node, const Panorama &panorama)
   }
 }
 
-void Pilot::standAt(std::optional<NodeId> node, const Pose2 &oMplace)
+void Pilot::standAt(std::optional<NodeId> node, const Pose2 &oMplace, double turned)
 {
   m_place = node;
   m_surveyed = !node;
   m_oMplace = oMplace;
   m_leftAt = m_motion.travelled();
+  m_leftTurned = turned;
 }
 
 Report Pilot::run(const Survey &)
@@ -115,10 +117,11 @@ Report Pilot::run(const Survey &)
     onView();
   }
   const Pose2 oMr = m_motion.pose();
+  const double turned = m_motion.turned();
   Surveyed report;
   report.chord = chordTo(oMr);
   report.directions = findOpenDirections(scanAllRound(oMr), m_options.directions);
-  standAt(std::nullopt, oMr);
+  standAt(std::nullopt, oMr, turned);
   return report;
 }
 
@@ -186,17 +189,13 @@ Report Pilot::run(const DriveDirection &command)
 Report Pilot::run(const Recognise &)
 {
   m_motion.stop();
-  std::optional<PlaceMemory::Left> left;
-  if (m_place) {
-    left = PlaceMemory::Left{*m_place, chordTo(m_motion.pose()).distance};
-  }
-  Recognised report{m_places.recognise(look(), left)};
+  Recognised report{m_places.recognise(look())};
   if (trace) {
     std::string line = "recognise";
     for (std::size_t i = 0; i < std::min<std::size_t>(report.matches.size(), 3); ++i) {
       const PlaceMatch &match = report.matches[i];
       char text[80];
-      std::snprintf(text, sizeof text, "  %lld: p %.2f%s, %.0f",
+      std::snprintf(text, sizeof text, "  %lld: p %.2f%s, %.3g",
                     static_cast<long long>(match.node.value), match.probability,
                     match.verified ? " verified" : "", match.dissimilarity);
       line += text;
@@ -223,7 +222,17 @@ Report Pilot::run(const HomeTo &command)
   if (command.departure) {
     oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
   }
-  const HomingRun::Result result = homing.run(oDeparture, command.exactly);
+  HomingRun::Result result = homing.run(oDeparture, command.exactly);
+  if (command.surely && result.end == HomingEnd::Arrived) {
+    double sure = m_places.standingAt(command.node, look());
+    if (sure < m_options.leastSure && !command.exactly) {
+      result = homing.comeCloser();
+      sure = m_places.standingAt(command.node, look());
+    }
+    if (sure < m_options.leastSure) {
+      result.end = HomingEnd::Lost; // it looks alike
+    }
+  }
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
   const Homed report{result.end, chordTo(oMplace)};
   if (trace) {
@@ -234,7 +243,7 @@ Report Pilot::run(const HomeTo &command)
     trace(text);
   }
   if (result.end == HomingEnd::Arrived) {
-    standAt(command.node, oMplace);
+    standAt(command.node, oMplace, m_motion.turned());
   }
   return report;
 }

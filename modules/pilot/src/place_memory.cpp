@@ -11,33 +11,33 @@ namespace homeward
 
 Verification WarpingVerifier::verify(const Panorama &current, const Panorama &stored)
 {
-  return compare(prepare(current), prepare(stored)).verification;
+  const double probability = samePlaceProbability(compare(prepare(current), prepare(stored)));
+  return {probability, probability >= kSureProbability};
 }
 
-WarpingVerifier::Comparison WarpingVerifier::compare(const ColumnFeatures &current,
-                                                     const ColumnFeatures &stored) const
+PairLook WarpingVerifier::compare(const View &current, const View &stored) const
 {
-  const auto match = m_warping.match(current, stored);
-  if (!match) {
-    return {};
+  PairLook look;
+  look.alignedEdges = dissimilarity(current.edges, stored.edges);
+  look.jeffrey = dissimilarity(current.histogram, stored.histogram);
+  if (const auto match = m_warping.match(current.columns, stored.columns)) {
+    look.matchDistance = match->matchDistance;
+    look.contrast = match->contrast;
+    look.distanceProxy = match->home.distanceProxy;
   }
-  const auto share = [](double value, double same, double other) {
-    return std::clamp((other - value) / (other - same), 0.0, 1.0);
-  };
-  Comparison comparison;
-  comparison.verification.probability =
-      share(match->matchDistance, m_options.sameMatch, m_options.otherMatch) *
-      share(match->contrast, m_options.sameContrast, m_options.otherContrast);
-  comparison.verification.verified =
-      match->matchDistance <= m_options.sameMatch && match->contrast <= m_options.sameContrast;
-  if (match->contrast <= m_options.otherContrast) {
-    comparison.distanceProxy = match->home.distanceProxy;
-  }
-  return comparison;
+  return look;
+}
+
+WarpingVerifier::View WarpingVerifier::prepare(const Panorama &panorama) const
+{
+  return {makeSignature(panorama, SignatureKind::AlignedEdges),
+          makeSignature(panorama, SignatureKind::Jeffrey), m_warping.prepare(panorama)};
 }
 
 PlaceMemory::PlaceMemory(const Options &options)
-    : m_options(options), m_verifier(options.verifier), m_index(SignatureKind::Jeffrey)
+    : m_options(options), m_index(options.recognition == Recognition::Verified
+                                      ? SignatureKind::AlignedEdges
+                                      : SignatureKind::Jeffrey)
 {}
 
 void PlaceMemory::add(NodeId node, const Panorama &panorama)
@@ -49,52 +49,58 @@ void PlaceMemory::add(NodeId node, const Panorama &panorama)
   m_places.emplace(node, Place{panorama, m_verifier.prepare(panorama)});
 }
 
-const Panorama &PlaceMemory::snapshot(NodeId node) const
+const PlaceMemory::Place &PlaceMemory::place(NodeId node) const
 {
   const auto place = m_places.find(node);
   if (place == m_places.end()) {
     throw LogicError("no place " + std::to_string(node.value) + " is known by sight");
   }
-  return place->second.panorama;
+  return place->second;
 }
 
-double PlaceMemory::landmarkRange(const ColumnFeatures &current,
-                                  const std::optional<Left> &left) const
+const Panorama &PlaceMemory::snapshot(NodeId node) const
 {
-  constexpr double kShortest = 0.8; // metres; a shorter drive tells little
-  if (!left || left->distance < kShortest || !knows(left->node)) {
-    return m_options.landmarkRange;
-  }
-  const auto proxy = m_verifier.compare(current, m_places.at(left->node).features).distanceProxy;
-  return proxy ? std::clamp(left->distance / *proxy, m_options.landmarkRangeMin,
-                            m_options.landmarkRangeMax)
-               : m_options.landmarkRange;
+  return place(node).panorama;
 }
 
-std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current,
-                                               const std::optional<Left> &left) const
+double PlaceMemory::standingAt(NodeId node, const Panorama &current) const
 {
-  const Signature signature = makeSignature(current, m_index.kind());
-  const ColumnFeatures features = m_verifier.prepare(current);
-  const double range = m_options.verify ? landmarkRange(features, left) : 0.0;
+  return standingThereProbability(
+      m_verifier.compare(m_verifier.prepare(current), place(node).view));
+}
+
+std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current) const
+{
+  const bool verified = m_options.recognition == Recognition::Verified;
+  const auto candidates = m_index.nearest(makeSignature(current, m_index.kind()),
+                                          verified ? m_options.candidates : m_index.size());
+  return verified ? byPairs(candidates, current) : byHistogram(candidates);
+}
+
+std::vector<PlaceMatch> PlaceMemory::byHistogram(const std::vector<Match> &candidates) const
+{
   std::vector<PlaceMatch> matches;
-  for (const Match &candidate : m_index.nearest(signature, m_options.candidates)) {
-    PlaceMatch match{candidate.node, 0.0, false, candidate.dissimilarity * kReferencePixels};
-    if (m_options.verify) {
-      const auto same = m_verifier.compare(features, m_places.at(candidate.node).features);
-      const bool justLeft = left && left->node == candidate.node;
-      const double distance = justLeft ? left->distance : range * same.distanceProxy.value_or(1e3);
-      match.probability = same.verification.probability;
-      match.verified = same.verification.verified && distance <= m_options.sameDistance;
-    }
-    else if (matches.empty() && match.dissimilarity < m_options.histogramThreshold) {
-      match.probability = 1.0;
-      match.verified = true;
-    }
-    matches.push_back(match);
+  for (const Match &candidate : candidates) {
+    const double counts = candidate.dissimilarity * kReferencePixels;
+    const bool nearest = matches.empty() && counts < m_options.histogramThreshold;
+    matches.push_back({candidate.node, nearest ? 1.0 : 0.0, nearest, counts});
+  }
+  return matches;
+}
+
+std::vector<PlaceMatch> PlaceMemory::byPairs(const std::vector<Match> &candidates,
+                                             const Panorama &current) const
+{
+  const WarpingVerifier::View view = m_verifier.prepare(current);
+  std::vector<PlaceMatch> matches;
+  for (const Match &candidate : candidates) {
+    const double probability =
+        samePlaceProbability(m_verifier.compare(view, place(candidate.node).view));
+    matches.push_back({candidate.node, probability, probability >= kSureProbability,
+                       candidate.dissimilarity});
   }
   std::stable_sort(matches.begin(), matches.end(), [](const PlaceMatch &a, const PlaceMatch &b) {
-    return std::make_pair(a.verified, a.probability) > std::make_pair(b.verified, b.probability);
+    return a.probability > b.probability;
   });
   return matches;
 }

@@ -32,7 +32,7 @@ struct PlaceViews
 /** The views of a light, in colour where the pictures are. @throw ConfigError as panorama() */
 PlaceViews placeViews(const DataSet &set, const std::string &light);
 
-/** Matches given kSureProbability or more, and how many of them are right. */
+/** Candidates given kSureProbability or more, and how many of them are right. */
 struct SureMatches
 {
   std::size_t matches = 0;
@@ -45,7 +45,7 @@ struct PlaceFigures
   PlaceScore score;
   std::size_t bytes = 0;             ///< of a signature
   double microsecondsPerQuery = 0.0; ///< of one thread, without making the signature
-  std::optional<SureMatches> sure;   ///< where probabilities are known
+  std::optional<SureMatches> sure;   ///< of candidates ranked again
 };
 
 /**
@@ -60,7 +60,7 @@ public:
   /** Ranked by signature alone. */
   PlaceFigures bySignature(SignatureKind kind) const;
 
-  /** The candidates of a signature, ranked again by it times the match distance of min-warping. */
+  /** The candidates of a signature, ranked again by otherPlaceOdds(). */
   PlaceFigures byWarping(SignatureKind kind) const;
 
 private:
@@ -77,6 +77,8 @@ private:
   PlaceTrialOptions m_options;
   mutable std::vector<ColumnFeatures> m_knownFeatures; ///< made when first needed
   mutable std::vector<ColumnFeatures> m_queryFeatures;
+  mutable std::vector<Signature> m_knownEdges; ///< likewise
+  mutable std::vector<Signature> m_queryEdges;
 };
 
 } // namespace homeward

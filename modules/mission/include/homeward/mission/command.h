@@ -41,6 +41,8 @@ struct HomeTo
   std::optional<double> departure;
   /** Stand exactly there in the end, turned as when the node was seen. */
   bool exactly = false;
+  /** Make sure that it is the node, not a place that looks alike; that is "lost". */
+  bool surely = false;
 };
 
 /** Stand still: the mission is over. */

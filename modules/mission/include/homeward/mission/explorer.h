@@ -55,13 +55,12 @@ struct ExplorerOptions
   int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
   int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
 
-  /** Metres: a verified place must lie this near by the ways driven, the reckoning's error apart.
-   */
-  double samePlace = 1.75;
-  double sureNear = 1.25;       ///< metres by the ways driven that make a likely place the same ...
-  double likely = 0.9;          ///< ... from this probability, verified or not
-  double nearPlace = 3.5;       ///< metres up to which the robot homes when it looks for its way
-  double reckoningError = 0.06; ///< metres a metre of way reckoned over, two sigma
+  /** What a place recognised may be off from where the ways driven have it, metres, one sigma: a
+   * place is that large, and the ways are that wrong a metre. */
+  double placeSigma = 0.5;
+  double reckoningError = 0.08;
+  double surelyBeyond = 0.5; ///< metres of the latter beyond which sight makes sure of an arrival
+  double nearPlace = 3.5;    ///< metres up to which the robot homes when it looks for its way
 
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }
@@ -93,8 +92,9 @@ struct ExplorerOptions
  * nearest node with one (Following), when cut off from them all to look round (Relocating), else
  * Finished. \cite Thesis, ch. 4.1
  *
- * Places look alike. A place recognised counts only where it lies about as far and in the direction
- * that the edges on the way to it and the drive from the node left say.
+ * Places look alike. What sight says of a place is weighed with where the edges on the way to it and
+ * the drive from the node left have it; and where these reach round a long way, the robot makes sure
+ * by sight that it has come to the place itself before there is an edge.
  */
 // clang-format on
 class Explorer

@@ -23,9 +23,9 @@ struct Chord
 struct PlaceMatch
 {
   NodeId node;
-  double probability = 0.0;   ///< that the view and the node see the same surroundings, 0 to 1
-  bool verified = false;      ///< the pair comparison says: this is that place
-  double dissimilarity = 0.0; ///< of the signatures, on the scale of the seed's thresholds
+  double probability = 0.0;   ///< that the view was taken within a metre of the node, 0 to 1
+  bool verified = false;      ///< sure enough to act on
+  double dissimilarity = 0.0; ///< of the signatures that found it
 };
 
 /** Answer to Survey. */

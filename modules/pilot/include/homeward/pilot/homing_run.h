@@ -67,9 +67,12 @@ public:
   /**
    * Drives until it has arrived or cannot go on.
    * @param oDeparture heading to try first, odometry frame
-   * @param exactly then settles: as near as sight tells, turned as the place was seen
+   * @param exactly then comes closer
    */
   Result run(std::optional<double> oDeparture, bool exactly = false);
+
+  /** After an arrival: as near as sight tells, turned as the place was seen. */
+  Result comeCloser();
 
 private:
   struct Seen

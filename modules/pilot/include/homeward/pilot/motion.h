@@ -4,6 +4,7 @@
 #include <homeward/laser/local_drive.h>
 #include <homeward/pilot/obstacle_memory.h>
 #include <homeward/pilot/trail.h>
+#include <homeward/pilot/turn_calibration.h>
 #include <homeward/robot/clock.h>
 #include <homeward/robot/image_source.h>
 #include <homeward/robot/laser_scanner.h>
@@ -87,6 +88,7 @@ public:
   const Sight &tick();
 
   const Sight &sight() const { return m_sight; }
+  /** By odometry, as far as it has been learnt how much turns skid. */
   const Pose2 &pose() const { return m_sight.base.odometry; }
 
   /** Where the robot was, or will be if it goes on so, odometry frame; a few seconds back. */
@@ -94,6 +96,10 @@ public:
 
   /** Metres driven so far, along the path. */
   double travelled() const { return m_travelled; }
+
+  /** See TurnCalibration. */
+  double turned() const { return m_turns.turned(); }
+  bool learnTurns(double turned, double missing) { return m_turns.learn(turned, missing); }
 
   /** How narrow a way may be. */
   enum class Room
@@ -166,6 +172,7 @@ private:
   LocalDrive m_tightDrive;
   ObstacleMemory m_memory;
   Trail m_trail;
+  TurnCalibration m_turns;
   Twist2 m_commanded; ///< last
   Sight m_sight;
   std::deque<BaseState> m_past; ///< a few seconds, oldest first

@@ -26,6 +26,7 @@ struct PilotOptions
   OpenDirectionOptions directions;
   std::string homingMethod = "minwarping"; ///< see makeHomingMethod()
   PanoramaGeometry panorama;
+  double leastSure = 0.9; ///< probability of standing at a node below which it was not reached
 };
 
 /**
@@ -81,8 +82,11 @@ private:
 
   Chord chordTo(const Pose2 &oMplace) const;
 
-  /** The robot stands at a place whose stored heading is `oMplace.heading`. */
-  void standAt(std::optional<NodeId> node, const Pose2 &oMplace);
+  /**
+   * The robot stands at a place whose stored heading is `oMplace.heading`.
+   * @param turned Motion::turned() when that was seen
+   */
+  void standAt(std::optional<NodeId> node, const Pose2 &oMplace, double turned);
 
   PilotOptions m_options;
   RobotDescription m_robot;
@@ -97,6 +101,7 @@ private:
   std::optional<NodeId> m_place; ///< its id; nothing until the surveyed place has become a node
   bool m_surveyed = false;       ///< the next node to be remembered is the place surveyed
   double m_leftAt = 0.0;         ///< travelled() when it was left
+  double m_leftTurned = 0.0;     ///< turned() when its heading was seen last
 };
 
 } // namespace homeward

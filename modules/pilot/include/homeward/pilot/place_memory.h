@@ -7,46 +7,41 @@
 #include <homeward/mission/report.h>
 #include <homeward/place/pair_verifier.h>
 #include <homeward/place/place_index.h>
+#include <homeward/place/same_place.h>
 
 #include <map>
-#include <optional>
 #include <vector>
 
 namespace homeward
 {
 
-/** Says by min-warping whether two panoramas show the same surroundings, and how far apart. */
+/** Says by aligned edges and min-warping whether two panoramas were taken within a metre. */
 class WarpingVerifier : public PairVerifier
 {
 public:
-  struct Options
+  /** What is compared of a panorama. */
+  struct View
   {
-    double sameMatch = 0.53;     ///< match distance up to which they show the same surroundings
-    double otherMatch = 0.57;    ///< match distance from which they surely do not
-    double sameContrast = 0.91;  ///< contrast of the search up to which its answer is distinct
-    double otherContrast = 0.95; ///< contrast from which there is no answer
-  };
-
-  explicit WarpingVerifier(const Options &options) : m_options(options) {}
-
-  /** What a comparison says, and how far apart the views are where they show the same surroundings.
-   */
-  struct Comparison
-  {
-    Verification verification;
-    std::optional<double> distanceProxy; ///< see HomeVector
+    Signature edges;     ///< AlignedEdges
+    Signature histogram; ///< Jeffrey
+    ColumnFeatures columns;
   };
 
   Verification verify(const Panorama &current, const Panorama &stored) override;
 
-  /** As verify(), on prepared panoramas. */
-  Comparison compare(const ColumnFeatures &current, const ColumnFeatures &stored) const;
+  PairLook compare(const View &current, const View &stored) const;
 
-  ColumnFeatures prepare(const Panorama &panorama) const { return m_warping.prepare(panorama); }
+  View prepare(const Panorama &panorama) const;
 
 private:
-  Options m_options;
   MinWarping m_warping;
+};
+
+/** How known places are recognised. */
+enum class Recognition
+{
+  Verified, ///< the most alike in aligned edges, each compared by WarpingVerifier
+  Histogram ///< the nearest gray histogram below a threshold, as published
 };
 
 /** The places the robot knows by sight. */
@@ -55,24 +50,10 @@ class PlaceMemory
 public:
   struct Options
   {
-    /** Jeffrey divergence, seed's scale, up to which a place is a candidate without verification.
-     */
+    Recognition recognition = Recognition::Verified;
+    /** Of Histogram: Jeffrey divergence on kReferencePixels up to which a place is recognised. */
     double histogramThreshold = 500.0;
-    std::size_t candidates =
-        40;             ///< places compared pair by pair, the most similar histograms first
-    bool verify = true; ///< false: the nearest histogram below the threshold decides, as the seed
-    double sameDistance = 1.25;    ///< metres up to which two views are one place
-    double landmarkRange = 2.6;    ///< metres that a distance proxy of 1 stands for, where unknown
-    double landmarkRangeMin = 1.5; ///< metres, bounds of what is learnt from a drive
-    double landmarkRangeMax = 7.0;
-    WarpingVerifier::Options verifier;
-  };
-
-  /** A place that the robot has just left and how far it is by odometry, straight, metres. */
-  struct Left
-  {
-    NodeId node;
-    double distance = 0.0;
+    std::size_t candidates = 40; ///< of Verified: places compared pair by pair, the most alike first
   };
 
   explicit PlaceMemory(const Options &options);
@@ -85,24 +66,26 @@ public:
   /** @throw LogicError for an unknown node */
   const Panorama &snapshot(NodeId node) const;
 
+  /** Which known places this view may show, best first. */
+  std::vector<PlaceMatch> recognise(const Panorama &current) const;
+
   /**
-   * Which known places this view may show, best first.
-   *
-   * Two panoramas tell a distance only up to the range of the landmarks. The drive from the place
-   * just left tells that range, so that "the same place" means the same metres in a corridor and in
-   * a hall.
+   * Probability that this view was taken where the node was, not at a place that looks alike.
+   * @throw LogicError for an unknown node
    */
-  std::vector<PlaceMatch> recognise(const Panorama &current,
-                                    const std::optional<Left> &left = std::nullopt) const;
+  double standingAt(NodeId node, const Panorama &current) const;
 
 private:
-  double landmarkRange(const ColumnFeatures &current, const std::optional<Left> &left) const;
-
   struct Place
   {
     Panorama panorama;
-    ColumnFeatures features;
+    WarpingVerifier::View view;
   };
+
+  const Place &place(NodeId node) const;
+  std::vector<PlaceMatch> byHistogram(const std::vector<Match> &candidates) const;
+  std::vector<PlaceMatch> byPairs(const std::vector<Match> &candidates,
+                                  const Panorama &current) const;
 
   Options m_options;
   WarpingVerifier m_verifier;
