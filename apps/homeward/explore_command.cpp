@@ -27,6 +27,7 @@ struct ExploreArguments
   std::string map;
   double forwardDistance = 2.0;
   std::string homing = "minwarping";
+  double histogramThreshold = 0.0; ///< 0: places are verified
   double maxTime = 1e5;
   bool overwrite = false;
   bool resume = false;
@@ -123,6 +124,10 @@ private:
   {
     PilotOptions options = pilotOptions(*m_robot, m_arguments.homing);
     options.directions = openDirectionOptions(m_arguments.forwardDistance);
+    if (m_arguments.histogramThreshold > 0.0) {
+      options.places.recognition = Recognition::Histogram;
+      options.places.histogramThreshold = m_arguments.histogramThreshold;
+    }
     return options;
   }
 
@@ -258,6 +263,10 @@ void addExploreCommand(CliCommand app)
       .between(0.5, 20.0)
       .showDefault();
   command.option("--homing", arguments->homing, "minwarping, or hiss as the seed").showDefault();
+  command
+      .option("--histogram-threshold", arguments->histogramThreshold,
+              "Recognise places by gray histograms up to this alone, as the seed (400 to 600)")
+      .between(1.0, 1e6);
   command.option("--max-time", arguments->maxTime, "Seconds of robot time after which it stops")
       .positive()
       .showDefault();

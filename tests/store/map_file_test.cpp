@@ -155,15 +155,16 @@ TEST_F(MapFileTest, SaysWhatItWasMadeWith)
   auto file = MapFile::create(path(), smallHeader());
   MapHeader wanted = smallHeader();
   wanted.thresholds.clear();
-  file.expectMadeWith(wanted);
   wanted.signatureVersion = 3;
+  file.expectMadeWith(wanted);
+  wanted.cameraHash = "another";
   try {
     file.expectMadeWith(wanted);
     ADD_FAILURE();
   }
   catch (const StoreError &error) {
     EXPECT_THAT(error.what(),
-                HasSubstr("made with signature histogram version 2, not histogram version 3"));
+                HasSubstr("made with camera " + smallHeader().cameraHash + ", not another"));
   }
 }
 

@@ -195,7 +195,7 @@ Report Pilot::run(const Recognise &)
     for (std::size_t i = 0; i < std::min<std::size_t>(report.matches.size(), 3); ++i) {
       const PlaceMatch &match = report.matches[i];
       char text[80];
-      std::snprintf(text, sizeof text, "  %lld: p %.2f%s, %.3g",
+      std::snprintf(text, sizeof text, "  %lld: p %.2f%s, %.0f",
                     static_cast<long long>(match.node.value), match.probability,
                     match.verified ? " verified" : "", match.dissimilarity);
       line += text;

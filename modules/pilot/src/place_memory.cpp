@@ -65,8 +65,10 @@ const Panorama &PlaceMemory::snapshot(NodeId node) const
 
 double PlaceMemory::standingAt(NodeId node, const Panorama &current) const
 {
-  return standingThereProbability(
-      m_verifier.compare(m_verifier.prepare(current), place(node).view));
+  const WarpingVerifier::View &view = place(node).view;
+  return m_options.recognition == Recognition::Histogram
+             ? 1.0
+             : standingThereProbability(m_verifier.compare(m_verifier.prepare(current), view));
 }
 
 std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current) const
@@ -94,10 +96,10 @@ std::vector<PlaceMatch> PlaceMemory::byPairs(const std::vector<Match> &candidate
   const WarpingVerifier::View view = m_verifier.prepare(current);
   std::vector<PlaceMatch> matches;
   for (const Match &candidate : candidates) {
-    const double probability =
-        samePlaceProbability(m_verifier.compare(view, place(candidate.node).view));
+    const PairLook look = m_verifier.compare(view, place(candidate.node).view);
+    const double probability = samePlaceProbability(look);
     matches.push_back({candidate.node, probability, probability >= kSureProbability,
-                       candidate.dissimilarity});
+                       look.jeffrey * kReferencePixels});
   }
   std::stable_sort(matches.begin(), matches.end(), [](const PlaceMatch &a, const PlaceMatch &b) {
     return a.probability > b.probability;

@@ -81,11 +81,6 @@ std::string sizeText(const PanoramaGeometry &geometry)
          exactText(degrees(geometry.elevationMax)) + " deg";
 }
 
-std::string signatureText(const MapHeader &header)
-{
-  return header.signatureKind + " version " + std::to_string(header.signatureVersion);
-}
-
 void expectSame(const fs::path &path, const std::string &what, const std::string &stored,
                 const std::string &wanted)
 {
@@ -313,7 +308,6 @@ void MapFile::expectMadeWith(const MapHeader &wanted) const
 {
   expectSame(m_path, "camera", m_header.cameraHash, wanted.cameraHash);
   expectSame(m_path, "panoramas of", sizeText(m_header.panorama), sizeText(wanted.panorama));
-  expectSame(m_path, "signature", signatureText(m_header), signatureText(wanted));
 }
 
 void MapFile::close()

@@ -25,7 +25,7 @@ struct PlaceMatch
   NodeId node;
   double probability = 0.0;   ///< that the view was taken within a metre of the node, 0 to 1
   bool verified = false;      ///< sure enough to act on
-  double dissimilarity = 0.0; ///< of the signatures that found it
+  double dissimilarity = 0.0; ///< of the gray histograms, on the scale of the seed's thresholds
 };
 
 /** Answer to Survey. */

@@ -70,7 +70,8 @@ public:
   std::vector<PlaceMatch> recognise(const Panorama &current) const;
 
   /**
-   * Probability that this view was taken where the node was, not at a place that looks alike.
+   * Probability that this view was taken where the node was, not at a place that looks alike; 1
+   * where places are not verified.
    * @throw LogicError for an unknown node
    */
   double standingAt(NodeId node, const Panorama &current) const;

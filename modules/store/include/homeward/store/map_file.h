@@ -136,7 +136,8 @@ public:
   std::optional<std::string> value(std::string_view key) const;
 
   /**
-   * Refuses a map that was made with another camera, panorama or signature than `wanted`.
+   * Refuses a map that was made with another camera or panorama than `wanted`. Signatures may
+   * differ: they are made anew from the views.
    * @throw StoreError naming both values
    */
   void expectMadeWith(const MapHeader &wanted) const;
