@@ -21,6 +21,7 @@ void addEvaluateCommand(CliCommand app);
 void addEvaluateHomingCommand(CliCommand evaluate);
 void addEvaluateArrivalCommand(CliCommand evaluate);
 void addEvaluatePlacesCommand(CliCommand evaluate);
+void addEvaluateRowsCommand(CliCommand evaluate);
 void addDataSetCommand(CliCommand evaluate);
 
 } // namespace homeward

@@ -11,6 +11,7 @@ void addEvaluateCommand(CliCommand app)
   addEvaluateHomingCommand(evaluate);
   addEvaluateArrivalCommand(evaluate);
   addEvaluatePlacesCommand(evaluate);
+  addEvaluateRowsCommand(evaluate);
   addDataSetCommand(evaluate);
 }
 

@@ -178,7 +178,7 @@ TEST(Explorer, WeighsWhatItSeesWithTheWaysDriven)
 {
   const Row row; // half a metre from 2, one and a half from 1
   EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{2}, 0.7, false, 10.0})));
-  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{2}, 0.5, false, 10.0})));
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{2}, 0.2, false, 10.0})));
   EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{1}, 0.98, true, 10.0})));
   EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{1}, 0.7, false, 10.0})));
 }

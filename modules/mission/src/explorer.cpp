@@ -296,11 +296,11 @@ private:
     return sight - 0.5 * sigmas * sigmas;
   }
 
-  /** The known place that the robot most probably is at; nullptr if it is likelier at none. */
+  /** The known place that the robot most probably is at; nullptr if that is not likely enough. */
   const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches) const
   {
     const PlaceMatch *best = nullptr;
-    double highest = 0.0;
+    double highest = m_options.leastLogOdds;
     for (const PlaceMatch &match : matches) {
       const double odds = logOdds(match);
       if (odds > highest && !tooOftenInVain(match.node)) {

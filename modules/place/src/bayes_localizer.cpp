@@ -2,7 +2,6 @@
 #include <homeward/place/bayes_localizer.h>
 
 #include <homeward/core/error.h>
-#include <homeward/place/signature.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +53,10 @@ BayesLocalizer::BayesLocalizer(std::vector<NodeId> nodes, std::optional<NodeId> 
   }
   if (!(options.motionSigma > 0.0)) {
     throw LogicError("motionSigma is " + std::to_string(options.motionSigma) +
+                     ", must be positive");
+  }
+  if (!(options.publishedPixels > 0.0)) {
+    throw LogicError("publishedPixels is " + std::to_string(options.publishedPixels) +
                      ", must be positive");
   }
   m_belief.assign(m_nodes.size(), 1.0 / static_cast<double>(m_nodes.size()));
@@ -111,7 +114,7 @@ void BayesLocalizer::observe(std::span<const double> dissimilarities)
                    [](double value) { return value >= 0.0 && std::isfinite(value); })) {
     throw LogicError("dissimilarities must be finite and not negative");
   }
-  const double scale = m_options.kernel == BayesKernel::Published ? kReferencePixels : 1.0;
+  const double scale = m_options.kernel == BayesKernel::Published ? m_options.publishedPixels : 1.0;
   const double sigma = scale * standardDeviation(dissimilarities);
   if (!(sigma > 0.0)) {
     return; // all places look equally like the view: it tells nothing

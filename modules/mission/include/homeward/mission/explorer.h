@@ -59,6 +59,7 @@ struct ExplorerOptions
    * place is that large, and the ways are that wrong a metre. */
   double placeSigma = 0.5;
   double reckoningError = 0.08;
+  double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one
   double surelyBeyond = 0.5; ///< metres of the latter beyond which sight makes sure of an arrival
   double nearPlace = 3.5;    ///< metres up to which the robot homes when it looks for its way
 

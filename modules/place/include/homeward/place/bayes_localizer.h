@@ -2,6 +2,7 @@
 #pragma once
 
 #include <homeward/core/id.h>
+#include <homeward/place/signature.h>
 
 #include <Eigen/Core>
 
@@ -16,7 +17,7 @@ namespace homeward
 enum class BayesKernel
 {
   Gaussian, ///< exp(-d^2 / (2 sigma^2))
-  Published ///< exp(-d / sigma^2), on counts of kReferencePixels; depends on their number
+  Published ///< exp(-d / sigma^2), on counts of so many pixels; the more there are, the flatter
 };
 
 /** What BayesLocalizer may be told. */
@@ -24,6 +25,7 @@ struct BayesOptions
 {
   BayesKernel kernel = BayesKernel::Gaussian;
   double motionSigma = 1.0; ///< graph steps, > 0
+  double publishedPixels = kReferencePixels; ///< of Published, > 0
 };
 
 /**
