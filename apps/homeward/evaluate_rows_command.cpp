@@ -225,8 +225,7 @@ void addEvaluateRowsCommand(CliCommand evaluate)
       .showDefault();
   command.option("--lights", arguments->lights, "Lights in which a near row became known, too")
       .showDefault();
-  command
-      .option("--light-distance", arguments->lightDistance, "Metres from the drive to that row")
+  command.option("--light-distance", arguments->lightDistance, "Metres from the drive to that row")
       .showDefault();
   command.option("--signatures", arguments->signatures, "What is compared").showDefault();
   command.flag("--published", arguments->published,

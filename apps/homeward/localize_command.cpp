@@ -7,6 +7,7 @@
 #include <homeward/evaluation/localization_run.h>
 #include <homeward/store/map_file.h>
 #include <homeward/topology/planner.h>
+#include <homeward/viewer/belief_picture.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,6 +32,8 @@ struct LocalizeArguments
   bool global = false;
   bool local = false;
   bool published = false;
+  double kidnapping = 0.01;
+  std::string picture;
 };
 
 /** Known places; where they are is known of a data set, not of a map. */
@@ -103,6 +106,19 @@ std::pair<Training, DataSet> readBoth(const LocalizeArguments &arguments, Signat
   return {trainOnViews(train, kind), std::move(test)};
 }
 
+void drawBeliefs(const std::string &file, const Training &training, const DataSet &test,
+                 const std::vector<Localization> &found)
+{
+  std::vector<BeliefRow> rows;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    rows.push_back({found[i].belief, std::nullopt});
+    if (!training.poses.empty()) {
+      rows.back().truth = nearestPlace(training.poses, test.view(i).pose);
+    }
+  }
+  writeText(file, encodePicture(file, beliefPicture(rows)));
+}
+
 void localizeImages(const LocalizeArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -122,6 +138,7 @@ void localizeImages(const LocalizeArguments &arguments)
   };
   BayesOptions options;
   options.kernel = arguments.published ? BayesKernel::Published : BayesKernel::Gaussian;
+  options.kidnapping = arguments.published ? 0.0 : arguments.kidnapping;
   const std::vector<Localization> found =
       localize(training.known, seen,
                arguments.local ? std::optional<NodeId>(truth(0)) : std::nullopt, options);
@@ -134,6 +151,7 @@ void localizeImages(const LocalizeArguments &arguments)
     nlohmann::json image{{"file", test.view(i).file},
                          {"node", found[i].node.value},
                          {"probability", found[i].probability},
+                         {"kidnapped", found[i].kidnapped},
                          {"correct", nullptr}};
     if (!training.poses.empty()) {
       const bool correct = truth(i) == found[i].node;
@@ -144,6 +162,9 @@ void localizeImages(const LocalizeArguments &arguments)
   }
   const double ratio = static_cast<double>(right) / static_cast<double>(found.size());
   json["success_ratio"] = training.poses.empty() ? nlohmann::json() : nlohmann::json(ratio);
+  if (!arguments.picture.empty()) {
+    drawBeliefs(arguments.picture, training, test, found);
+  }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = wall.count();
   writeJson(arguments.json, json);
@@ -151,8 +172,9 @@ void localizeImages(const LocalizeArguments &arguments)
     return;
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    std::printf("%s: node %lld, probability %.3f\n", test.view(i).file.c_str(),
-                static_cast<long long>(found[i].node.value), found[i].probability);
+    std::printf("%s: node %lld, probability %.3f%s\n", test.view(i).file.c_str(),
+                static_cast<long long>(found[i].node.value), found[i].probability,
+                found[i].kidnapped > 0.5 ? ", carried here from elsewhere" : "");
   }
   if (!training.poses.empty()) {
     std::printf("%zu of %zu right (%.2f %%)\n", right, found.size(), 100.0 * ratio);
@@ -176,6 +198,12 @@ void addLocalizeCommand(CliCommand app)
       .excludes("--global");
   command.flag("--published", arguments->published,
                "The kernel as published: a distance, not its square, over the variance");
+  command
+      .option("--kidnapping", arguments->kidnapping,
+              "Probability that the robot is carried elsewhere between two pictures")
+      .between(0.0, 0.99)
+      .showDefault();
+  command.option("--picture", arguments->picture, "Draw what was believed when, .png");
   command.json(arguments->json, "the answers");
   command.run([arguments] {
     localizeImages(*arguments);

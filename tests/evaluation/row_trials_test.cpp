@@ -14,15 +14,16 @@ namespace
 /** A signature that says where it was taken, as a histogram of two bins. */
 Signature at(double place)
 {
-  return {SignatureKind::AbsoluteDifferences, 100,
+  return {SignatureKind::AbsoluteDifferences,
+          100,
           {static_cast<float>(place), static_cast<float>(100.0 - place)}};
 }
 
 // An empty room of 8 m x 4 m.
 FreeSpace hall()
 {
-  const auto caster = std::make_shared<const RayCaster>(share(makeRoom(8.0F, 4.0F)),
-                                                        RayCaster::Layer::Collision);
+  const auto caster =
+      std::make_shared<const RayCaster>(share(makeRoom(8.0F, 4.0F)), RayCaster::Layer::Collision);
   const auto map = std::make_shared<const CollisionMap>(*caster, testRobot());
   return {map, FloorGrid(*map), caster, 0.9, Eigen::Vector2d(2.0, 1.0)};
 }

@@ -110,8 +110,49 @@ TEST(BayesLocalizer, equalDissimilaritiesChangeNothing)
   EXPECT_EQ(localizer.belief(), std::vector<double>(4, 0.25));
 }
 
+TEST(BayesLocalizer, noticesThatItWasCarriedAwayAndFindsItsPlaceAgain)
+{
+  constexpr Eigen::Index kCount = 40;
+  std::vector<NodeId> nodes;
+  Eigen::MatrixXd steps(kCount, kCount);
+  for (Eigen::Index to = 0; to < kCount; ++to) {
+    nodes.push_back(NodeId{to});
+    for (Eigen::Index from = 0; from < kCount; ++from) {
+      steps(to, from) = static_cast<double>(std::abs(to - from));
+    }
+  }
+  const auto seenAt = [&](Eigen::Index place) {
+    std::vector<double> seen(static_cast<std::size_t>(kCount), 0.5);
+    seen[static_cast<std::size_t>(place)] = 0.05;
+    return seen;
+  };
+  for (const double kidnapping : {0.01, 0.0}) {
+    BayesLocalizer localizer(nodes, NodeId{0}, {.kidnapping = kidnapping});
+    for (Eigen::Index place = 0; place < 5; ++place) {
+      localizer.observe(seenAt(place));
+      EXPECT_LE(localizer.kidnapped(), 0.1);
+      localizer.move(steps);
+    }
+    localizer.observe(seenAt(30)); // carried from 4
+    const double noticed = localizer.kidnapped();
+    localizer.move(steps);
+    localizer.observe(seenAt(31));
+    if (kidnapping > 0.0) {
+      EXPECT_GT(noticed, 0.9);
+      EXPECT_EQ(localizer.mostProbable(), NodeId{31});
+      EXPECT_LT(localizer.kidnapped(), 0.5);
+    }
+    else {
+      EXPECT_EQ(noticed, 0.0);
+      EXPECT_NE(localizer.mostProbable(), NodeId{31});
+    }
+  }
+}
+
 TEST(BayesLocalizer, refusesBadInput)
 {
+  EXPECT_THROW(BayesLocalizer(kNodes, std::nullopt, {.kidnapping = 1.0}), LogicError);
+  EXPECT_THROW(BayesLocalizer(kNodes, std::nullopt, {.publishedPixels = 0.0}), LogicError);
   EXPECT_THROW(BayesLocalizer({}), LogicError);
   EXPECT_THROW(BayesLocalizer(kNodes, NodeId{9}), LogicError);
   EXPECT_THROW(BayesLocalizer(kNodes, std::nullopt, {.motionSigma = 0.0}), LogicError);

@@ -79,7 +79,8 @@ std::vector<Localization> localize(const KnownPlaces &known, const std::vector<S
     }
     localizer.observe(dissimilarities);
     found.push_back({localizer.mostProbable(),
-                     *std::max_element(localizer.belief().begin(), localizer.belief().end())});
+                     *std::max_element(localizer.belief().begin(), localizer.belief().end()),
+                     localizer.kidnapped(), localizer.belief()});
   }
   return found;
 }

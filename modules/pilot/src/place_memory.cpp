@@ -35,9 +35,9 @@ WarpingVerifier::View WarpingVerifier::prepare(const Panorama &panorama) const
 }
 
 PlaceMemory::PlaceMemory(const Options &options)
-    : m_options(options), m_index(options.recognition == Recognition::Verified
-                                      ? SignatureKind::AlignedEdges
-                                      : SignatureKind::Jeffrey)
+    : m_options(options),
+      m_index(options.recognition == Recognition::Verified ? SignatureKind::AlignedEdges
+                                                           : SignatureKind::Jeffrey)
 {}
 
 void PlaceMemory::add(NodeId node, const Panorama &panorama)

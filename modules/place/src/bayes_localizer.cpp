@@ -59,6 +59,11 @@ BayesLocalizer::BayesLocalizer(std::vector<NodeId> nodes, std::optional<NodeId> 
     throw LogicError("publishedPixels is " + std::to_string(options.publishedPixels) +
                      ", must be positive");
   }
+  if (!(options.kidnapping >= 0.0 && options.kidnapping < 1.0)) {
+    throw LogicError("kidnapping is " + std::to_string(options.kidnapping) +
+                     ", must be a probability below 1");
+  }
+  m_carried.assign(m_nodes.size(), 0.0);
   m_belief.assign(m_nodes.size(), 1.0 / static_cast<double>(m_nodes.size()));
   if (start) {
     const auto found = std::find(m_nodes.begin(), m_nodes.end(), *start);
@@ -102,6 +107,12 @@ void BayesLocalizer::move(const Eigen::MatrixXd &steps)
       -std::numeric_limits<double>::infinity()) {
     m_belief = normalized(predicted);
   }
+  const double anywhere = m_options.kidnapping / static_cast<double>(m_nodes.size());
+  for (std::size_t i = 0; i < m_nodes.size(); ++i) {
+    m_belief[i] = (1.0 - m_options.kidnapping) * m_belief[i] + anywhere;
+    m_carried[i] = anywhere / std::max(m_belief[i], std::numeric_limits<double>::min());
+  }
+  m_kidnapped = m_options.kidnapping;
 }
 
 void BayesLocalizer::observe(std::span<const double> dissimilarities)
@@ -125,6 +136,7 @@ void BayesLocalizer::observe(std::span<const double> dissimilarities)
     logs.push_back(std::log(m_belief[i]) + logKernel(scale * dissimilarities[i], sigma));
   }
   m_belief = normalized(logs);
+  m_kidnapped = std::inner_product(m_belief.begin(), m_belief.end(), m_carried.begin(), 0.0);
 }
 
 NodeId BayesLocalizer::mostProbable() const

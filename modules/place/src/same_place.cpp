@@ -36,9 +36,8 @@ double standingThereProbability(const PairLook &look)
   constexpr double kLeastProxy = 0.05;
   const double edges = logOf(look.alignedEdges);
   const double light = std::log(look.jeffrey + 1e-3);
-  const double logOdds =
-      -10.86 - 10.97 * edges - 4.12 * logOf(look.distanceProxy, kLeastProxy) +
-                     8.10 * light + 5.94 * edges * light;
+  const double logOdds = -10.86 - 10.97 * edges - 4.12 * logOf(look.distanceProxy, kLeastProxy) +
+                         8.10 * light + 5.94 * edges * light;
   return 1.0 / (1.0 + std::exp(-logOdds));
 }
 

@@ -26,6 +26,8 @@ struct Localization
 {
   NodeId node;
   double probability = 0.0;
+  double kidnapped = 0.0;     ///< probability that it was carried away since the view before
+  std::vector<double> belief; ///< by known place
 };
 
 /** Steps between places on open floor: their distance over that of close neighbours, rounded. */

@@ -26,6 +26,9 @@ struct BayesOptions
   BayesKernel kernel = BayesKernel::Gaussian;
   double motionSigma = 1.0; ///< graph steps, > 0
   double publishedPixels = kReferencePixels; ///< of Published, > 0
+  /** Probability that the robot is carried anywhere else between two views; 0 as published, below 1.
+   */
+  double kidnapping = 0.0;
 };
 
 /**
@@ -61,6 +64,9 @@ public:
    */
   void observe(std::span<const double> dissimilarities);
 
+  /** Probability that the robot was carried away since the view before. */
+  double kidnapped() const { return m_kidnapped; }
+
   /** The arg max; the first of equals. */
   NodeId mostProbable() const;
 
@@ -75,6 +81,8 @@ private:
   std::vector<NodeId> m_nodes;
   BayesOptions m_options;
   std::vector<double> m_belief;
+  std::vector<double> m_carried; ///< share of it, by node, of a robot carried away just now
+  double m_kidnapped = 0.0;
 };
 
 } // namespace homeward
