@@ -4,7 +4,7 @@
 find_package(Threads REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(Eigen3 REQUIRED)
-find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d videoio video aruco)
+find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs features2d calib3d videoio video aruco dnn)
 find_package(VISP 3.5 REQUIRED)
 find_package(Boost REQUIRED)
 find_package(urdfdom REQUIRED)

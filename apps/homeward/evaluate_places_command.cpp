@@ -31,6 +31,8 @@ struct PlacesArguments
   std::vector<std::string> lightsNow; ///< empty: all there are
   std::vector<std::string> signatures;
   std::vector<std::string> warping{"aligned_edges"};
+  std::string network;
+  int networkSize = EmbeddingOptions{}.input.width;
   double spacing = 0.9;
   double sameDistance = 1.0;
   std::size_t queries = 100;
@@ -135,6 +137,11 @@ nlohmann::json evaluatePair(const PlacesArguments &arguments, const PlaceViews &
   };
   for (const std::string &signature : arguments.signatures) {
     add(signature, trial.bySignature(parseSignatureKind(signature)));
+  }
+  if (!arguments.network.empty()) {
+    EmbeddingOptions embedding;
+    embedding.input = {arguments.networkSize, arguments.networkSize};
+    add("embedding", trial.byNetwork(EmbeddingNetwork(arguments.network, embedding)));
   }
   for (const std::string &signature : arguments.warping) {
     showProgress(signature + ", ranked again by min-warping");
@@ -250,6 +257,10 @@ void addEvaluatePlacesCommand(CliCommand evaluate)
               "Signatures whose best 20 are ranked again by min-warping")
       .oneOf(signatureNames())
       .count(0, 100)
+      .showDefault();
+  command.option("--network", arguments->network, "ONNX file of a network that embeds pictures");
+  command.option("--network-size", arguments->networkSize, "Width and height of its input, pixels")
+      .between(1, 4096)
       .showDefault();
   command.option("--picture", arguments->picture, "Draw recall@1 by light and signature, .svg");
   command.json(arguments->json, "the figures");

@@ -58,9 +58,18 @@ PlaceTrial::PlaceTrial(const PlaceViews &known, const PlaceViews &queries,
 
 PlaceTrial::Candidates PlaceTrial::candidates(SignatureKind kind, PlaceFigures &figures) const
 {
-  const std::vector<Signature> known = signaturesOf(m_known, kind, m_options.threads);
-  const std::vector<Signature> queries = signaturesOf(m_queries, kind, m_options.threads);
-  PlaceIndex index(kind);
+  return nearest(signaturesOf(m_known, kind, m_options.threads),
+                 signaturesOf(m_queries, kind, m_options.threads), figures);
+}
+
+PlaceTrial::Candidates PlaceTrial::nearest(const std::vector<Signature> &known,
+                                           const std::vector<Signature> &queries,
+                                           PlaceFigures &figures) const
+{
+  if (known.empty()) {
+    return Candidates(queries.size());
+  }
+  PlaceIndex index(known.front().kind);
   for (std::size_t i = 0; i < known.size(); ++i) {
     index.add(NodeId{static_cast<std::int64_t>(i)}, known[i]);
   }
@@ -127,6 +136,20 @@ PlaceFigures PlaceTrial::bySignature(SignatureKind kind) const
 {
   PlaceFigures figures;
   figures.score = score(candidates(kind, figures));
+  return figures;
+}
+
+PlaceFigures PlaceTrial::byNetwork(const EmbeddingNetwork &network) const
+{
+  const auto embeddings = [&](const PlaceViews &views) {
+    std::vector<Signature> signatures;
+    for (const Panorama &panorama : views.panoramas) {
+      signatures.push_back(network.compute(panorama));
+    }
+    return signatures;
+  };
+  PlaceFigures figures;
+  figures.score = score(nearest(embeddings(m_known), embeddings(m_queries), figures));
   return figures;
 }
 

@@ -86,8 +86,9 @@ void requireValid(const Signature &signature)
                      std::to_string(kTurnRow) + " values, not " +
                      std::to_string(signature.values.size()) + " in all");
   }
+  const bool signs = phases || signature.kind == SignatureKind::Embedding;
   for (const float value : signature.values) {
-    const bool fits = (phases || value >= 0.0F) && std::isfinite(value);
+    const bool fits = (signs || value >= 0.0F) && std::isfinite(value);
     if (!fits || (bytes && (value > kLargestByte || value != std::floor(value)))) {
       throw LogicError("a signature " + std::string(name(signature.kind)) + " cannot hold " +
                        std::to_string(value));

@@ -37,6 +37,8 @@ constexpr std::array kKinds{
                     "gain, contrast of each band"},
     SignatureTraits{Kind::AlignedEdges, "aligned_edges", Distance::TurnCorrelation, false, false,
                     "gain, contrast of each band and of each direction"},
+    SignatureTraits{Kind::Embedding, "embedding", Distance::Cosine, false, false,
+                    "what the network learnt not to mind"},
 };
 
 /** The rows that show the scene all round. */
@@ -103,6 +105,8 @@ std::vector<float> valuesOf(const cv::Mat &image, SignatureKind kind)
     return edgeBytes(inGray(image));
   case Kind::AlignedEdges:
     return alignedEdges(inGray(image));
+  case Kind::Embedding:
+    throw LogicError("an embedding is made by an EmbeddingNetwork");
   case Kind::Jeffrey:
   case Kind::ChiSquare:
   case Kind::AbsoluteDifferences:
@@ -135,7 +139,7 @@ double distanceOf(SignatureDistance distance, const Signature &a, const Signatur
 
 std::span<const SignatureTraits> signatureKinds()
 {
-  return kKinds;
+  return std::span(kKinds).first(kKinds.size() - 1);
 }
 
 const SignatureTraits &traits(SignatureKind kind)
@@ -146,7 +150,7 @@ const SignatureTraits &traits(SignatureKind kind)
 SignatureKind parseSignatureKind(std::string_view name)
 {
   std::string known;
-  for (const SignatureTraits &candidate : kKinds) {
+  for (const SignatureTraits &candidate : signatureKinds()) {
     if (candidate.name == name) {
       return candidate.kind;
     }

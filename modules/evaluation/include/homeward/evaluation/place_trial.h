@@ -4,6 +4,7 @@
 #include <homeward/dataset/data_set.h>
 #include <homeward/evaluation/place_score.h>
 #include <homeward/homing/column_features.h>
+#include <homeward/place/embedding_network.h>
 #include <homeward/place/place_index.h>
 
 #include <optional>
@@ -60,6 +61,9 @@ public:
   /** Ranked by signature alone. */
   PlaceFigures bySignature(SignatureKind kind) const;
 
+  /** Ranked by the embeddings of a network alone. @throw ConfigError as it */
+  PlaceFigures byNetwork(const EmbeddingNetwork &network) const;
+
   /** The candidates of a signature, ranked again by otherPlaceOdds(). */
   PlaceFigures byWarping(SignatureKind kind) const;
 
@@ -67,6 +71,8 @@ private:
   using Candidates = std::vector<std::vector<Match>>;
 
   Candidates candidates(SignatureKind kind, PlaceFigures &figures) const;
+  Candidates nearest(const std::vector<Signature> &known, const std::vector<Signature> &queries,
+                     PlaceFigures &figures) const;
   void rankAgain(Candidates &candidates) const;
   PlaceScore score(const Candidates &candidates) const;
   SureMatches sureOnes(const Candidates &candidates) const;

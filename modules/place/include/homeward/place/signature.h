@@ -24,8 +24,9 @@ enum class SignatureKind
   Fourier,     ///< magnitudes of 30 row-wise frequencies, L1
   EdgeFourier, ///< the same of edges in row bands, cosine distance: survives changed light
   EdgeBytes,   ///< the same of edges in 16 bands x 16 frequencies of a byte, L1
-  AlignedEdges ///< rising and falling edges in 16 bands x 16 frequencies with their phases, the
-               ///< best correlation over all turns: finds a place in any light
+  AlignedEdges, ///< rising and falling edges in 16 bands x 16 frequencies with their phases, the
+                ///< best correlation over all turns: finds a place in any light
+  Embedding     ///< the output of an EmbeddingNetwork, cosine distance
 };
 
 /** How two vectors of values are compared; each has its function in histogram.h. */
@@ -50,7 +51,7 @@ struct SignatureTraits
   std::string_view invariances; ///< what, besides a turn on the spot, does not change it
 };
 
-/** Every kind, in the order of the enumeration. */
+/** Every kind that makeSignature() makes, in the order of the enumeration. */
 std::span<const SignatureTraits> signatureKinds();
 
 const SignatureTraits &traits(SignatureKind kind);
@@ -88,7 +89,7 @@ std::size_t byteSize(const Signature &signature);
  * @param visible CV_8UC1 of the picture's size, 0 where it shows no scene (Unwarper::visible()), or
  * empty. Rows with a hidden pixel are left out: what hides pixels turns with the robot, the scene
  * does not.
- * @throw LogicError when picture, geometry or mask do not fit
+ * @throw LogicError when picture, geometry or mask do not fit, or for Embedding
  */
 Signature makeSignature(const Panorama &panorama, SignatureKind kind,
                         const cv::Mat &visible = cv::Mat());
