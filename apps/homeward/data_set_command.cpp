@@ -23,6 +23,26 @@ ViewSource viewSource(const SimulatedRobot &robot, const SimulationArguments &ar
   return source;
 }
 
+void addSceneChange(CliCommand command, SceneChange &change)
+{
+  command.option("--people", change.people, "People who stand about in a world").between(1, 1000);
+  command.option("--move-furniture", change.moveFurniture, "Metres that its chairs are moved")
+      .between(0.01, 10.0);
+}
+
+void applyChange(ViewSource &source, const SimulatedRobot &robot, const std::vector<Pose2> &views,
+                 const SceneChange &change)
+{
+  if (change.people == 0 && !(change.moveFurniture > 0.0)) {
+    return;
+  }
+  ChangedScene changed =
+      changeScene(robot.scene(), robot.simulator().freeSpace(), views, change, source.seed);
+  std::printf("changed: %zu people, %zu pieces of furniture moved\n", changed.people,
+              changed.moved);
+  source.scene = std::make_shared<const Scene>(std::move(changed.scene));
+}
+
 Progress renderProgress()
 {
   return [](std::size_t done, std::size_t all) {
@@ -44,6 +64,7 @@ struct DataSetArguments
   std::vector<std::string> lights{"day"};
   double spacing = 0.5;
   std::size_t count = 0;
+  SceneChange change;
   bool exactOptics = false;
   bool gray = false;
 };
@@ -63,6 +84,7 @@ void makeDataSet(const DataSetArguments &arguments)
   ViewSource source = viewSource(robot, arguments.simulation);
   source.exactOptics = arguments.exactOptics;
   source.colour = !arguments.gray;
+  applyChange(source, robot, poses, arguments.change);
   DataSet set(robot.camera());
   for (const LightPreset light : lights) {
     addRenderedViews(set, source, poses, light, renderProgress());
@@ -99,6 +121,7 @@ void addDataSetCommand(CliCommand evaluate)
       .showDefault();
   command.option("--count", arguments->count, "Random places instead of a grid, so many")
       .between(1, 100000);
+  addSceneChange(command, arguments->change);
   command.flag("--exact-optics", arguments->exactOptics,
                "The mirror is exactly as the camera file says");
   command.flag("--gray", arguments->gray, "Gray instead of colour");

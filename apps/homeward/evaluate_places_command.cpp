@@ -36,6 +36,7 @@ struct PlacesArguments
   double spacing = 0.9;
   double sameDistance = 1.0;
   std::size_t queries = 100;
+  SceneChange change; ///< from when places became known to when they are looked for
 };
 
 /** Views by light. Of a data set, known views and queries are the same objects. */
@@ -85,6 +86,7 @@ Subject renderSubject(const PlacesArguments &arguments)
     subject.known.emplace(light, render(source, grid, light));
   }
   source.seed += 1; // other noise; the optics are of the same making
+  applyChange(source, robot, random, arguments.change);
   for (const std::string &light :
        arguments.lightsNow.empty() ? subject.lights : arguments.lightsNow) {
     subject.queries.emplace(light, render(source, random, light));
@@ -101,8 +103,16 @@ nlohmann::json jsonOf(const PlaceFigures &figures)
                          {"recall_at_20", score.recallAt20},
                          {"recall_at_full_precision", score.recallAtFullPrecision},
                          {"auc_pr", score.aucPr},
+                         {"first_by_distance", nlohmann::json::object()},
                          {"bytes", figures.bytes},
                          {"us_per_query", figures.microsecondsPerQuery}};
+  for (std::size_t i = 0; i < score.confusion.size(); ++i) {
+    std::array<char, 24> name{};
+    const bool last = i == kConfusionDistances.size();
+    std::snprintf(name.data(), name.size(), last ? "beyond_%.1f_m" : "to_%.1f_m",
+                  kConfusionDistances.at(last ? i - 1 : i));
+    json["first_by_distance"][name.data()] = score.confusion[i];
+  }
   if (figures.sure) {
     json["sure_matches"] = figures.sure->matches;
     json["sure_and_right"] = figures.sure->right;
@@ -118,8 +128,8 @@ void printFigures(const std::string &name, const PlaceFigures &figures)
               100.0 * score.recallAtFullPrecision, score.aucPr, figures.bytes,
               figures.microsecondsPerQuery);
   if (figures.sure) {
-    std::printf("  %zu matches are given 0.9 or more, %zu of them are right\n",
-                figures.sure->matches, figures.sure->right);
+    std::printf("  %zu pairs are given 0.9 or more, %zu of them are right\n", figures.sure->matches,
+                figures.sure->right);
   }
 }
 
@@ -246,6 +256,7 @@ void addEvaluatePlacesCommand(CliCommand evaluate)
   command.option("--queries", arguments->queries, "Random places looked for in a world")
       .between(1, 100000)
       .showDefault();
+  addSceneChange(command, arguments->change);
   command.option("--same", arguments->sameDistance, "Metres within which an answer is right")
       .between(0.05, 100.0)
       .showDefault();

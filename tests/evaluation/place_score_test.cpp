@@ -54,6 +54,16 @@ TEST(PlaceScore, anUnknownPlaceCountsOnlyWhereAccepted)
   EXPECT_DOUBLE_EQ(early.recallAtFullPrecision, 0.0);
 }
 
+TEST(PlaceScore, confusionIsCountedByDistance)
+{
+  std::vector<PlaceAnswer> answers(4, answer({true}, 0.1));
+  const std::array distances{0.3, 0.9, 3.0, 20.0};
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    answers[i].distance = distances.at(i);
+  }
+  EXPECT_EQ(scorePlaces(answers).confusion, (std::vector{0.25, 0.25, 0.0, 0.25, 0.0, 0.25}));
+}
+
 TEST(PlaceScore, nothingKnownIsNothingFound)
 {
   EXPECT_EQ(scorePlaces({answer({}, 0.0, false)}).queries, 0U);

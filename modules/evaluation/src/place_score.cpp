@@ -63,6 +63,13 @@ PlaceScore scorePlaces(const std::vector<PlaceAnswer> &answers)
   std::vector<PlaceAnswer> given;
   std::copy_if(answers.begin(), answers.end(), std::back_inserter(given),
                [](const PlaceAnswer &answer) { return !answer.right.empty(); });
+  score.confusion.assign(kConfusionDistances.size() + 1, 0.0);
+  for (const PlaceAnswer &answer : given) {
+    const auto *const bin =
+        std::lower_bound(kConfusionDistances.begin(), kConfusionDistances.end(), answer.distance);
+    score.confusion[static_cast<std::size_t>(bin - kConfusionDistances.begin())] +=
+        1.0 / static_cast<double>(given.size());
+  }
   scoreThresholds(std::move(given), score);
   return score;
 }

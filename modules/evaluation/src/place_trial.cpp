@@ -123,6 +123,7 @@ PlaceScore PlaceTrial::score(const Candidates &candidates) const
     for (const Match &candidate : candidates[q]) {
       answers[q].right.push_back(distance(q, indexOf(candidate)) <= m_options.sameDistance);
     }
+    answers[q].distance = candidates[q].empty() ? 0.0 : distance(q, indexOf(candidates[q].front()));
     answers[q].unlikeness = candidates[q].empty() ? 0.0 : candidates[q].front().dissimilarity;
     for (std::size_t i = 0; i < m_known.poses.size(); ++i) {
       answers[q].known =
