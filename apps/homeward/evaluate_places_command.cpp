@@ -116,6 +116,8 @@ nlohmann::json jsonOf(const PlaceFigures &figures)
   if (figures.sure) {
     json["sure_matches"] = figures.sure->matches;
     json["sure_and_right"] = figures.sure->right;
+    json["sure_pairs"] = figures.surePairs->matches;
+    json["sure_pairs_and_right"] = figures.surePairs->right;
   }
   return json;
 }
@@ -128,13 +130,16 @@ void printFigures(const std::string &name, const PlaceFigures &figures)
               100.0 * score.recallAtFullPrecision, score.aucPr, figures.bytes,
               figures.microsecondsPerQuery);
   if (figures.sure) {
-    std::printf("  %zu pairs are given 0.9 or more, %zu of them are right\n", figures.sure->matches,
-                figures.sure->right);
+    std::printf(
+        "  given 0.9 or more: %zu first candidates, %zu of them right; %zu candidates in all, "
+        "%zu right\n",
+        figures.sure->matches, figures.sure->right, figures.surePairs->matches,
+        figures.surePairs->right);
   }
 }
 
 nlohmann::json evaluatePair(const PlacesArguments &arguments, const PlaceViews &known,
-                            const PlaceViews &queries)
+                            const PlaceViews &queries, const EmbeddingNetwork *network)
 {
   PlaceTrialOptions options;
   options.sameDistance = arguments.sameDistance;
@@ -148,10 +153,8 @@ nlohmann::json evaluatePair(const PlacesArguments &arguments, const PlaceViews &
   for (const std::string &signature : arguments.signatures) {
     add(signature, trial.bySignature(parseSignatureKind(signature)));
   }
-  if (!arguments.network.empty()) {
-    EmbeddingOptions embedding;
-    embedding.input = {arguments.networkSize, arguments.networkSize};
-    add("embedding", trial.byNetwork(EmbeddingNetwork(arguments.network, embedding)));
+  if (network != nullptr) {
+    add("embedding", trial.byNetwork(*network));
   }
   for (const std::string &signature : arguments.warping) {
     showProgress(signature + ", ranked again by min-warping");
@@ -193,6 +196,12 @@ void requireLight(const Subject &subject, const std::string &light)
 void evaluatePlaces(const PlacesArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
+  std::unique_ptr<EmbeddingNetwork> network;
+  if (!arguments.network.empty()) {
+    EmbeddingOptions embedding;
+    embedding.input = {arguments.networkSize, arguments.networkSize};
+    network = std::make_unique<EmbeddingNetwork>(arguments.network, embedding);
+  }
   const Subject subject =
       arguments.data.empty() ? renderSubject(arguments) : readSubject(arguments);
   nlohmann::json json = jsonHeader("evaluate places");
@@ -210,10 +219,11 @@ void evaluatePlaces(const PlacesArguments &arguments)
                   arguments.sameDistance);
       std::printf("%-22s %6s %6s %6s %9s %8s %7s %10s\n", "", "@1 %", "@5 %", "@20 %", "@full %",
                   "auc_pr", "bytes", "us/query");
-      json["light_pairs"].push_back({{"light_map", lightMap},
-                                     {"light_now", lightNow},
-                                     {"known", known.poses.size()},
-                                     {"signatures", evaluatePair(arguments, known, queries)}});
+      json["light_pairs"].push_back(
+          {{"light_map", lightMap},
+           {"light_now", lightNow},
+           {"known", known.poses.size()},
+           {"signatures", evaluatePair(arguments, known, queries, network.get())}});
     }
   }
   if (!arguments.picture.empty()) {

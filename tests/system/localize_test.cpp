@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program.h"
 #include "synthetic_room.h"
+#include "test_paths.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -63,6 +64,39 @@ TEST_F(Localize, FollowsADrivePastKnownPlaces)
     EXPECT_EQ(json["images"][1]["correct"], true);
     EXPECT_GT(json["images"][1]["probability"], 0.2);
   }
+}
+
+TEST_F(Localize, DrawsWhatItBelieved)
+{
+  const std::string train = makeSet("train", -1.8, 0.9, 5);
+  const std::string picture = folder / "beliefs.png";
+  const ProgramRun run = runProgram("localize --train " + train + " --test " + train +
+                                    " --picture " + picture + " --kidnapping 0.05");
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_GT(cv::imread(picture).cols, 300);
+}
+
+TEST_F(Localize, AnExampleOfEveryRowDistanceAndLight)
+{
+  const ProgramRun run =
+      runProgram("evaluate rows --world " + (dataDir() / "worlds/lab.sdf").string() +
+                 " --drives 1 --signatures sad --lights night --json -");
+  ASSERT_EQ(run.status, 0) << run.output;
+  const auto json = nlohmann::json::parse(run.data);
+  ASSERT_EQ(json["columns"].size(), 8U);
+  EXPECT_GE(json["columns"][0]["success_ratio"]["sad"].get<double>(), 0.5);
+  EXPECT_EQ(json["columns"][7]["light_map"], "night");
+  expectRefusal(runProgram("evaluate rows --light-distance 0.25"), "0.25");
+}
+
+TEST_F(Localize, ANetworkMustBeOne)
+{
+  const std::string data = makeSet("train", -1.8, 0.9, 3);
+  const std::string text = folder / "text.onnx";
+  std::ofstream(text) << "no network";
+  const std::string evaluate = "evaluate places --data " + data + " --network ";
+  expectRefusal(runProgram(evaluate + text), "text.onnx is no network");
+  expectRefusal(runProgram(evaluate + (folder / "none.onnx").string()), "none.onnx");
 }
 
 TEST_F(Localize, RefusesBadInput)

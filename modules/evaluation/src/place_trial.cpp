@@ -164,6 +164,10 @@ PlaceFigures PlaceTrial::byWarping(SignatureKind kind) const
   figures.microsecondsPerQuery += spent.count() * m_options.threads /
                                   static_cast<double>(std::max<std::size_t>(1, found.size()));
   figures.score = score(found);
+  figures.surePairs = sureOnes(found);
+  for (std::vector<Match> &candidates : found) {
+    candidates.resize(std::min<std::size_t>(1, candidates.size()));
+  }
   figures.sure = sureOnes(found);
   return figures;
 }

@@ -192,4 +192,15 @@ std::vector<float> alignedEdges(const cv::Mat &gray)
   return values;
 }
 
+std::vector<float> alignedBytes(const cv::Mat &gray)
+{
+  constexpr float kScale = 180.0F; // no number of a band of length 1 is larger than 0.7 or so
+  constexpr float kLargest = 127.0F;
+  std::vector<float> values = alignedEdges(gray);
+  for (float &value : values) {
+    value = kZeroByte + std::round(std::clamp(kScale * value, -kLargest, kLargest));
+  }
+  return values;
+}
+
 } // namespace homeward

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "row_distance.h"
 
+#include "signature_values.h"
 #include "turn_correlation.h"
 
+#include <cmath>
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
@@ -10,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "../src/row_distance.cpp"
 #include <hwy/foreach_target.h>
 
+#include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -207,6 +210,64 @@ void turned(const float *even, const float *odd, const TurnWaves &waves, float *
   }
 }
 
+/** The largest correlation over all turns of spectra of `size` numbers. */
+float peakCorrelation(const float *a, const float *b, std::size_t size, float unturned,
+                      const TurnWaves &waves)
+{
+  alignas(kRowAlignment) std::array<float, kTurnFrequencies> even;
+  alignas(kRowAlignment) std::array<float, kTurnFrequencies> odd;
+  alignas(kRowAlignment) std::array<float, TurnWaves::kPadded> same;
+  alignas(kRowAlignment) std::array<float, TurnWaves::kPadded> other;
+  std::array<float, kTurns> byTurn;
+  crossSpectrum(a, b, size, even.data(), odd.data());
+  turned(even.data(), odd.data(), waves, same.data(), other.data());
+  for (std::size_t turn = 0; turn < kTurns / 2; ++turn) {
+    byTurn[turn] = same[turn] + other[turn];
+    byTurn[kTurns - 1 - turn] = same[turn + 1] - other[turn + 1];
+  }
+  byTurn[0] += unturned;
+  return peakOf(byTurn);
+}
+
+/** Bytes as numbers about zero. @return the sum of their squares */
+float widen(const std::byte *bytes, std::size_t size, float *values)
+{
+  const Floats tag;
+  const hn::Rebind<std::uint8_t, Floats> narrow;
+  const hn::Rebind<std::int32_t, Floats> whole;
+  const auto zero = hn::Set(tag, kZeroByte);
+  auto squares = hn::Zero(tag);
+  const auto *from = reinterpret_cast<const std::uint8_t *>(bytes);
+  for (std::size_t i = 0; i < size; i += hn::Lanes(tag)) {
+    const auto value =
+        hn::Sub(hn::ConvertTo(tag, hn::PromoteTo(whole, hn::LoadU(narrow, from + i))), zero);
+    hn::Store(value, tag, values + i);
+    squares = hn::MulAdd(value, value, squares);
+  }
+  return hn::GetLane(hn::SumOfLanes(tag, squares));
+}
+
+void correlateBytes(const std::byte *query, const RowBlock &block, float *distances)
+{
+  const TurnWaves &waves = turnWaves();
+  const std::size_t size = block.rowBytes;
+  const auto room = [size] { return hwy::AllocateAligned<float>(size); };
+  const auto a = room();
+  const auto b = room();
+  const float squareB = widen(query, size, b.get());
+  for (std::size_t r = 0; r < block.count; ++r) {
+    const float squareA = widen(block.rows + r * size, size, a.get());
+    const float square = squareA * squareB;
+    if (square > 0.0F) {
+      const float peak = peakCorrelation(a.get(), b.get(), size, 0.0F, waves);
+      distances[r] = std::max(0.0F, 1.0F - peak / std::sqrt(square));
+    }
+    else {
+      distances[r] = squareA == squareB ? 0.0F : 1.0F;
+    }
+  }
+}
+
 void correlateBlock(const std::byte *query, const RowBlock &block, float *distances)
 {
   const TurnWaves &waves = turnWaves();
@@ -214,20 +275,9 @@ void correlateBlock(const std::byte *query, const RowBlock &block, float *distan
   const auto *a = reinterpret_cast<const float *>(block.rows);
   const std::size_t size = block.rowBytes / sizeof(float);
   const std::size_t spectra = size / kTurnRow * kTurnRow;
-  alignas(kRowAlignment) std::array<float, kTurnFrequencies> even;
-  alignas(kRowAlignment) std::array<float, kTurnFrequencies> odd;
-  alignas(kRowAlignment) std::array<float, TurnWaves::kPadded> same;
-  alignas(kRowAlignment) std::array<float, TurnWaves::kPadded> other;
-  std::array<float, kTurns> byTurn;
   for (std::size_t r = 0; r < block.count; ++r, a += size) {
-    crossSpectrum(a, b, spectra, even.data(), odd.data());
-    turned(even.data(), odd.data(), waves, same.data(), other.data());
-    for (std::size_t turn = 0; turn < kTurns / 2; ++turn) {
-      byTurn[turn] = same[turn] + other[turn];
-      byTurn[kTurns - 1 - turn] = same[turn + 1] - other[turn + 1];
-    }
-    byTurn[0] += spectra < size ? a[spectra] * b[spectra] : 0.0F;
-    distances[r] = std::max(0.0F, 1.0F - peakOf(byTurn));
+    const float unturned = spectra < size ? a[spectra] * b[spectra] : 0.0F;
+    distances[r] = std::max(0.0F, 1.0F - peakCorrelation(a, b, spectra, unturned, waves));
   }
 }
 
@@ -245,6 +295,8 @@ void dispatchedRowDistances(RowMetric metric, const std::byte *query, const RowB
     return sumBlock<SquaredTerm>(query, block, distances);
   case RowMetric::TurnCorrelation:
     return correlateBlock(query, block, distances);
+  case RowMetric::TurnCorrelationBytes:
+    return correlateBytes(query, block, distances);
   case RowMetric::AbsoluteBytes:
     return sumBytes(query, block, distances);
   }

@@ -9,15 +9,16 @@ namespace homeward
 /** What is summed over the elements of two rows. */
 enum class RowMetric
 {
-  Jeffrey,           ///< rows of roots of counts: a ln(2 a / (a + b)) + b ln(2 b / (a + b))
-  ChiSquare,         ///< (a - b)^2 / (a + b), 0 where both are
-  Absolute,          ///< |a - b|
-  SquaredDifference, ///< (a - b)^2
-  TurnCorrelation,   ///< 1 - the largest correlation over all turns, of unit vectors; no sum
-  AbsoluteBytes      ///< |a - b| of rows of std::uint8_t, exact; the others are rows of float
+  Jeffrey,              ///< rows of roots of counts: a ln(2 a / (a + b)) + b ln(2 b / (a + b))
+  ChiSquare,            ///< (a - b)^2 / (a + b), 0 where both are
+  Absolute,             ///< |a - b|
+  SquaredDifference,    ///< (a - b)^2
+  TurnCorrelation,      ///< 1 - the largest correlation over all turns, of unit vectors; no sum
+  TurnCorrelationBytes, ///< the same of rows of std::uint8_t of any length, 128 for zero
+  AbsoluteBytes         ///< |a - b| of rows of std::uint8_t, exact; the others are rows of float
 };
 
-/** Rows are as long as a multiple of this, and filled up with zeros. */
+/** Rows are as long as a multiple of this, and filled up with what stands for zero. */
 inline constexpr std::size_t kRowAlignment = 64;
 
 /** Rows stored one after the other. */

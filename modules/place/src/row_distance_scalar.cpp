@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "row_distance.h"
 
+#include "signature_values.h"
 #include "turn_correlation.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 namespace homeward
 {
@@ -55,6 +59,24 @@ void correlateRows(const std::byte *query, const RowBlock &block, float *distanc
   }
 }
 
+std::vector<float> spectraOfBytes(const std::byte *row, std::size_t size)
+{
+  std::vector<float> spectra(size);
+  std::transform(row, row + size, spectra.begin(), [](std::byte value) {
+    return static_cast<float>(std::to_integer<int>(value)) - kZeroByte;
+  });
+  return spectra;
+}
+
+void correlateByteRows(const std::byte *query, const RowBlock &block, float *distances)
+{
+  const std::vector<float> b = spectraOfBytes(query, block.rowBytes);
+  for (std::size_t r = 0; r < block.count; ++r) {
+    const std::vector<float> a = spectraOfBytes(block.rows + r * block.rowBytes, block.rowBytes);
+    distances[r] = static_cast<float>(turnCorrelationDistance(a, b));
+  }
+}
+
 } // namespace
 
 void rowDistancesScalar(RowMetric metric, const std::byte *query, const RowBlock &block,
@@ -73,6 +95,8 @@ void rowDistancesScalar(RowMetric metric, const std::byte *query, const RowBlock
                           [](double a, double b) { return (a - b) * (a - b); });
   case RowMetric::TurnCorrelation:
     return correlateRows(query, block, distances);
+  case RowMetric::TurnCorrelationBytes:
+    return correlateByteRows(query, block, distances);
   case RowMetric::AbsoluteBytes:
     return sumRows<std::uint8_t>(query, block, distances, absolute);
   }

@@ -29,7 +29,7 @@ RowMetric metricOf(const SignatureTraits &kind)
   case SignatureDistance::L1:
     return kind.bytes ? RowMetric::AbsoluteBytes : RowMetric::Absolute;
   case SignatureDistance::TurnCorrelation:
-    return RowMetric::TurnCorrelation;
+    return kind.bytes ? RowMetric::TurnCorrelationBytes : RowMetric::TurnCorrelation;
   case SignatureDistance::Hellinger:
   case SignatureDistance::Cosine:
     break;
@@ -67,8 +67,9 @@ std::vector<float> comparedValues(const Signature &signature)
   case SignatureDistance::Hellinger:
     return unitVector(rootsOf(signature.values));
   case SignatureDistance::Cosine:
-  case SignatureDistance::TurnCorrelation:
     return unitVector(signature.values);
+  case SignatureDistance::TurnCorrelation:
+    return traits(signature.kind).bytes ? signature.values : unitVector(signature.values);
   case SignatureDistance::ChiSquare:
   case SignatureDistance::L1:
     break;
@@ -86,7 +87,7 @@ void requireValid(const Signature &signature)
                      std::to_string(kTurnRow) + " values, not " +
                      std::to_string(signature.values.size()) + " in all");
   }
-  const bool signs = phases || signature.kind == SignatureKind::Embedding;
+  const bool signs = (phases && !bytes) || signature.kind == SignatureKind::Embedding;
   for (const float value : signature.values) {
     const bool fits = (signs || value >= 0.0F) && std::isfinite(value);
     if (!fits || (bytes && (value > kLargestByte || value != std::floor(value)))) {
@@ -115,7 +116,10 @@ Row RowTable::prepare(const Signature &signature) const
   requireValid(signature);
   const std::vector<float> values = comparedValues(signature);
   const std::size_t bytes = values.size() * (traits(m_kind).bytes ? 1 : sizeof(float));
-  Row row(std::max<std::size_t>(1, (bytes + kRowAlignment - 1) / kRowAlignment) * kRowAlignment);
+  const bool centred = m_metric == RowMetric::TurnCorrelationBytes;
+  const auto padding = static_cast<std::byte>(centred ? static_cast<int>(kZeroByte) : 0);
+  Row row(std::max<std::size_t>(1, (bytes + kRowAlignment - 1) / kRowAlignment) * kRowAlignment,
+          padding);
   if (traits(m_kind).bytes) {
     std::transform(values.begin(), values.end(), row.begin(), [](float value) {
       return static_cast<std::byte>(static_cast<std::uint8_t>(value));

@@ -37,6 +37,8 @@ constexpr std::array kKinds{
                     "gain, contrast of each band"},
     SignatureTraits{Kind::AlignedEdges, "aligned_edges", Distance::TurnCorrelation, false, false,
                     "gain, contrast of each band and of each direction"},
+    SignatureTraits{Kind::AlignedBytes, "aligned_bytes", Distance::TurnCorrelation, false, true,
+                    "gain, contrast of each band and of each direction"},
     SignatureTraits{Kind::Embedding, "embedding", Distance::Cosine, false, false,
                     "what the network learnt not to mind"},
 };
@@ -105,6 +107,8 @@ std::vector<float> valuesOf(const cv::Mat &image, SignatureKind kind)
     return edgeBytes(inGray(image));
   case Kind::AlignedEdges:
     return alignedEdges(inGray(image));
+  case Kind::AlignedBytes:
+    return alignedBytes(inGray(image));
   case Kind::Embedding:
     throw LogicError("an embedding is made by an EmbeddingNetwork");
   case Kind::Jeffrey:
@@ -114,6 +118,18 @@ std::vector<float> valuesOf(const cv::Mat &image, SignatureKind kind)
     break;
   }
   return grayHistogram(inGray(image));
+}
+
+/** The spectra themselves. */
+std::vector<float> spectraOf(const Signature &signature)
+{
+  std::vector<float> spectra = signature.values;
+  if (traits(signature.kind).bytes) {
+    for (float &value : spectra) {
+      value -= kZeroByte;
+    }
+  }
+  return spectra;
 }
 
 double distanceOf(SignatureDistance distance, const Signature &a, const Signature &b)
@@ -128,7 +144,7 @@ double distanceOf(SignatureDistance distance, const Signature &a, const Signatur
   case Distance::Hellinger:
     return hellingerDistance(a.values, b.values);
   case Distance::TurnCorrelation:
-    return turnCorrelationDistance(a.values, b.values);
+    return turnCorrelationDistance(spectraOf(a), spectraOf(b));
   case Distance::Cosine:
     break;
   }
@@ -176,7 +192,7 @@ double dissimilarityUnit(const Signature &signature)
     return std::max(1, signature.pixels);
   }
   constexpr double kByteRange = 255.0;
-  return kind.bytes
+  return kind.bytes && kind.distance != SignatureDistance::TurnCorrelation
              ? kByteRange * static_cast<double>(std::max<std::size_t>(1, signature.values.size()))
              : 1.0;
 }

@@ -38,6 +38,12 @@ std::vector<float> edgeBytes(const cv::Mat &gray);
  */
 std::vector<float> alignedEdges(const cv::Mat &gray);
 
+/** What stands for zero in alignedBytes(). */
+inline constexpr float kZeroByte = 128.0F;
+
+/** alignedEdges() in whole numbers, 0 to 255. @param gray CV_8UC1 */
+std::vector<float> alignedBytes(const cv::Mat &gray);
+
 /** What the distance of two vectors of values is divided by to be a dissimilarity. */
 double dissimilarityUnit(const Signature &signature);
 

@@ -44,9 +44,10 @@ struct SureMatches
 struct PlaceFigures
 {
   PlaceScore score;
-  std::size_t bytes = 0;             ///< of a signature
-  double microsecondsPerQuery = 0.0; ///< of one thread, without making the signature
-  std::optional<SureMatches> sure;   ///< of candidates ranked again
+  std::size_t bytes = 0;                ///< of a signature
+  double microsecondsPerQuery = 0.0;    ///< of one thread, without making the signature
+  std::optional<SureMatches> sure;      ///< among first candidates, where ranked again
+  std::optional<SureMatches> surePairs; ///< among all
 };
 
 /**

@@ -24,9 +24,10 @@ enum class BayesKernel
 struct BayesOptions
 {
   BayesKernel kernel = BayesKernel::Gaussian;
-  double motionSigma = 1.0; ///< graph steps, > 0
+  double motionSigma = 1.0;                  ///< graph steps, > 0
   double publishedPixels = kReferencePixels; ///< of Published, > 0
-  /** Probability that the robot is carried anywhere else between two views; 0 as published, below 1.
+  /** Probability that the robot is carried anywhere else between two views; 0 as published,
+   * below 1.
    */
   double kidnapping = 0.0;
 };

@@ -19,8 +19,8 @@ inline constexpr double kSureProbability = 0.9;
 
 /**
  * The odds that two views were not taken within a metre of each other: a product of powers of the
- * four numbers but jeffrey, fitted in the three worlds of data/worlds, by day and from day to night and to two
- * lamps, to the best of 20 candidates, whether the place was among them or not.
+ * four numbers but jeffrey, fitted in the three worlds of data/worlds, by day and from day to night
+ * and to two lamps, to the best of 20 candidates, whether the place was among them or not.
  */
 double otherPlaceOdds(const PairLook &look);
 

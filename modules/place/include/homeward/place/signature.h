@@ -20,12 +20,13 @@ enum class SignatureKind
   Hellinger,           ///< the same histogram, Hellinger distance
   Bands,               ///< gray histograms of 32 bins of 8 bands of elevation, L1
   Hsv,                 ///< 16 hues x 4 saturations x 4 values, Hellinger distance
-  Opponent,    ///< red-green x yellow-blue (8 x 8, by brightness) x 4 brightnesses, Hellinger
-  Fourier,     ///< magnitudes of 30 row-wise frequencies, L1
-  EdgeFourier, ///< the same of edges in row bands, cosine distance: survives changed light
-  EdgeBytes,   ///< the same of edges in 16 bands x 16 frequencies of a byte, L1
+  Opponent,     ///< red-green x yellow-blue (8 x 8, by brightness) x 4 brightnesses, Hellinger
+  Fourier,      ///< magnitudes of 30 row-wise frequencies, L1
+  EdgeFourier,  ///< the same of edges in row bands, cosine distance: survives changed light
+  EdgeBytes,    ///< the same of edges in 16 bands x 16 frequencies of a byte, L1
   AlignedEdges, ///< rising and falling edges in 16 bands x 16 frequencies with their phases, the
                 ///< best correlation over all turns: finds a place in any light
+  AlignedBytes, ///< the same with each number as a byte, 128 for zero
   Embedding     ///< the output of an EmbeddingNetwork, cosine distance
 };
 
