@@ -73,8 +73,11 @@ TEST(ChangedScene, nothingIsPutWhereThereIsNoRoom)
 {
   const Scene scene = furnished();
   std::vector<Pose2> views; // everywhere
-  for (int i = 0; i < 24; ++i) {
-    views.push_back({0.5 + (i % 6), 0.5 + (i / 6), 0.0});
+  views.reserve(24);
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 6; ++column) {
+      views.push_back({0.5 + column, 0.5 + row, 0.0});
+    }
   }
   const ChangedScene changed =
       changeScene(scene, spaceOf(scene), views, {.people = 50, .moveFurniture = 0.8}, 3);

@@ -56,7 +56,7 @@ struct Embedding : testing::Test
 {
   std::string write(const std::string &name, const std::string &bytes) const
   {
-    const std::string file = folder / name;
+    std::string file = folder / name;
     std::ofstream(file, std::ios::binary) << bytes;
     return file;
   }

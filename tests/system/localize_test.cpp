@@ -96,7 +96,7 @@ TEST_F(Localize, ANetworkMustBeOne)
   std::ofstream(text) << "no network";
   const std::string evaluate = "evaluate places --data " + data + " --network ";
   expectRefusal(runProgram(evaluate + text), "text.onnx is no network");
-  expectRefusal(runProgram(evaluate + (folder / "none.onnx").string()), "none.onnx");
+  expectRefusal(runProgram(evaluate + (folder / "none.onnx")), "none.onnx");
 }
 
 TEST_F(Localize, RefusesBadInput)

@@ -19,7 +19,8 @@ struct RowOptions
   double seenSpacing = 0.3;  ///< metres
   std::size_t known = 6;     ///< pictures of a row
   double knownSpacing = 0.9; ///< metres
-  std::vector<double> distances{0.0, 0.3, 0.6, 0.9, 1.2, 1.5, 1.8}; ///< of rows to the drive, metres
+  std::vector<double> distances{0.0, 0.3, 0.6, 0.9,
+                                1.2, 1.5, 1.8}; ///< of rows to the drive, metres
 };
 
 /** Where the pictures of one drive and of its rows are taken. */

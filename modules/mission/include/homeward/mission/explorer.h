@@ -60,8 +60,8 @@ struct ExplorerOptions
   double placeSigma = 0.5;
   double reckoningError = 0.08;
   double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one
-  double surelyBeyond = 0.5; ///< metres of the latter beyond which sight makes sure of an arrival
-  double nearPlace = 3.5;    ///< metres up to which the robot homes when it looks for its way
+  double surelyBeyond = 0.5;  ///< metres of the latter beyond which sight makes sure of an arrival
+  double nearPlace = 3.5;     ///< metres up to which the robot homes when it looks for its way
 
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }

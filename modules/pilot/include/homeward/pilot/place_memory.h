@@ -53,7 +53,8 @@ public:
     Recognition recognition = Recognition::Verified;
     /** Of Histogram: Jeffrey divergence on kReferencePixels up to which a place is recognised. */
     double histogramThreshold = 500.0;
-    std::size_t candidates = 40; ///< of Verified: places compared pair by pair, the most alike first
+    std::size_t candidates =
+        40; ///< of Verified: places compared pair by pair, the most alike first
   };
 
   explicit PlaceMemory(const Options &options);
