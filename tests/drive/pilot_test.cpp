@@ -35,14 +35,14 @@ private:
   ImageSource &m_camera;
 };
 
-/** A pilot in the laboratory. */
+/** A pilot in the laboratory, or in another world. */
 class PilotTest : public testing::Test
 {
 protected:
-  explicit PilotTest(const RobotDescription &robot = testRobot(), const PilotOptions &options = {})
-      : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / "worlds/lab.sdf"))),
-        simulator(m_scene, robot, testCamera(), optionsAt({0.0, -2.5, 0.0})),
-        camera(simulator.camera()),
+  explicit PilotTest(const RobotDescription &robot = testRobot(), const PilotOptions &options = {},
+                     const std::string &world = "worlds/lab.sdf", const Pose2 &start = {0, -2.5, 0})
+      : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / world))),
+        simulator(m_scene, robot, testCamera(), optionsAt(start)), camera(simulator.camera()),
         pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, robot, testCamera(),
               options, stop)
   {}
@@ -227,6 +227,35 @@ TEST_F(AllRoundPilotTest, BacksOutOfWhereItWasPut)
   EXPECT_EQ(homeFromACabinet(), HomingEnd::Arrived);
   EXPECT_LT(distanceTo(home), 0.3);
   EXPECT_EQ(simulator.truth().collisions, 0);
+}
+
+/** In a loop of corridors with equal doors. */
+class CorridorPilotTest : public PilotTest
+{
+protected:
+  CorridorPilotTest() : PilotTest(testRobot(), {}, "worlds/corridors.sdf", home)
+  {
+    makeNode(NodeId{0});
+  }
+
+  HomingEnd homeFrom(const Pose2 &place, bool surely)
+  {
+    simulator.kidnap(place);
+    return ask<Homed>(HomeTo{NodeId{0}, std::nullopt, false, surely}).end;
+  }
+
+  static constexpr Pose2 home{-4.373, -0.378, -3.102};
+  static constexpr Pose2 alike{4.19, -11.02, -0.13}; ///< beside a place in the corridor opposite
+};
+
+TEST_F(CorridorPilotTest, DoesNotTakeAPlaceThatLooksAlikeForTheOneItMakesSureOf)
+{
+  EXPECT_EQ(homeFrom(alike, false), HomingEnd::Arrived);
+  EXPECT_GT(distanceTo(home), 5.0);
+  EXPECT_EQ(homeFrom(alike, true), HomingEnd::Lost);
+  const Pose2 beside{home.x - 0.8, home.y - 0.3, 0.5};
+  EXPECT_EQ(homeFrom(beside, true), HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.3);
 }
 
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
