@@ -40,9 +40,11 @@ class PilotTest : public testing::Test
 {
 protected:
   explicit PilotTest(const RobotDescription &robot = testRobot(), const PilotOptions &options = {},
-                     const std::string &world = "worlds/lab.sdf", const Pose2 &start = {0, -2.5, 0})
+                     const std::string &world = "worlds/lab.sdf", const Pose2 &start = {0, -2.5, 0},
+                     SimulatorOptions simulation = {})
       : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / world))),
-        simulator(m_scene, robot, testCamera(), optionsAt(start)), camera(simulator.camera()),
+        simulator(m_scene, robot, testCamera(), optionsAt(start, std::move(simulation))),
+        camera(simulator.camera()),
         pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, robot, testCamera(),
               options, stop)
   {}
@@ -77,9 +79,8 @@ protected:
   }
 
 private:
-  static SimulatorOptions optionsAt(const Pose2 &start)
+  static SimulatorOptions optionsAt(const Pose2 &start, SimulatorOptions options)
   {
-    SimulatorOptions options;
     options.start = start;
     return options;
   }
@@ -256,6 +257,41 @@ TEST_F(CorridorPilotTest, DoesNotTakeAPlaceThatLooksAlikeForTheOneItMakesSureOf)
   const Pose2 beside{home.x - 0.8, home.y - 0.3, 0.5};
   EXPECT_EQ(homeFrom(beside, true), HomingEnd::Arrived);
   EXPECT_LT(distanceTo(home), 0.3);
+}
+
+/** Its turns skid much. */
+class SkiddingPilotTest : public PilotTest
+{
+protected:
+  SkiddingPilotTest()
+      : PilotTest(testRobot(), {}, "worlds/lab.sdf", {0, -2.5, 0},
+                  {.seed = 5, .drive = {.turnSlip = 0.06}})
+  {}
+
+  /** How wrong the chord has the turn after a drive that the camera did not see. */
+  double errorOfABlindTurn()
+  {
+    const Pose2 home = simulator.truth().pose;
+    makeNode(NodeId{m_next++});
+    camera.covered = true;
+    const auto driven = ask<Driven>(DriveDirection{-2.8, 0.8});
+    camera.covered = false;
+    const Pose2 there = home.inverse() * simulator.truth().pose;
+    return std::abs(wrapAngle(driven.chord.bearingAtOrigin - std::atan2(there.y, there.x)));
+  }
+
+  std::int64_t m_next = 0;
+};
+
+TEST_F(SkiddingPilotTest, LearnsHowMuchFromWhatItSeesOfPlacesLeft)
+{
+  const double untaught = errorOfABlindTurn();
+  for (const double bearing : {-2.5, 2.6, -2.9, 2.8}) {
+    makeNode(NodeId{m_next++});
+    ask<Driven>(DriveDirection{bearing, 0.8});
+  }
+  EXPECT_LT(errorOfABlindTurn(), 0.5 * untaught) << degrees(untaught) << " degrees at first";
+  EXPECT_GT(untaught, radians(8.0)) << "or there was little to learn";
 }
 
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
