@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,21 @@ std::vector<Sight> sightsOf(const std::vector<MountSample> &drive, int &landmark
   return sights;
 }
 
+/** From how many places a landmark is seen, on average. */
+double meanSights(const std::vector<MountSample> &drive)
+{
+  std::set<int> landmarks;
+  std::size_t sights = 0;
+  for (const MountSample &sample : drive) {
+    for (const LandmarkBearing &seen : sample.bearings) {
+      landmarks.insert(seen.landmark);
+      ++sights;
+    }
+  }
+  return static_cast<double>(sights) /
+         static_cast<double>(std::max<std::size_t>(1, landmarks.size()));
+}
+
 void checkDrive(const std::vector<MountSample> &drive, int landmarks)
 {
   constexpr double kShortest = 0.5;  // metres
@@ -101,6 +117,13 @@ void checkDrive(const std::vector<MountSample> &drive, int landmarks)
     throw ConfigError(std::to_string(landmarks) +
                       " landmarks were seen from three places or more, at least " +
                       std::to_string(kFewest) + " are needed; drive where there is more to see");
+  }
+  constexpr double kFollowed = 0.15; // of the pictures; what is lost at once drifts before
+  const double followed = meanSights(drive);
+  if (followed < kFollowed * static_cast<double>(drive.size())) {
+    throw ConfigError("landmarks are lost again after " + rounded(followed) + " of " +
+                      std::to_string(drive.size()) +
+                      " pictures, as in a bare room; drive where there is more to see");
   }
 }
 

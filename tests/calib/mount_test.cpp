@@ -142,6 +142,13 @@ TEST(Mount, SaysWhatWasNotDriven)
     sample.oMr.heading = wrapAngle(degrees(sample.oMr.heading));
   }
   EXPECT_THAT(refusal(degreesForRadians), testing::Not(testing::HasSubstr("accepted")));
+  auto shortLived = drive; // each is lost after four sights
+  for (std::size_t k = 0; k < shortLived.size(); ++k) {
+    for (LandmarkBearing &seen : shortLived[k].bearings) {
+      seen.landmark += 1000 * static_cast<int>(k / 4);
+    }
+  }
+  EXPECT_THAT(refusal(shortLived), testing::HasSubstr("landmarks are lost again after 4.00 of 40"));
   for (MountSample &sample : drive) {
     sample.bearings.resize(2);
   }

@@ -232,7 +232,8 @@ TEST_F(RigTest, DriveGoesOnceRoundAndStraightWhenTold)
   try {
     const MountEstimate mount = mountFrom(set);
     const double tilt = radians(1.0); // the mirror's own, which no sigma knows
-    EXPECT_LT(std::abs(mount.rMp.heading), 3.0 * std::sqrt(mount.covariance(2, 2)) + tilt);
+    EXPECT_LT(std::abs(mount.rMp.heading), 3.0 * std::sqrt(mount.covariance(2, 2)) + tilt)
+        << mount.landmarks << " landmarks, rms " << mount.rms;
   }
   catch (const ConfigError &refusal) {
     EXPECT_THAT(refusal.what(), testing::AnyOf(HasSubstr("yaw"), HasSubstr("landmarks")));

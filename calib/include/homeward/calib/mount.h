@@ -40,7 +40,8 @@ struct MountEstimate
  * are wrong is estimated too, for wheels that skid through a whole turn miss it by several degrees.
  * Sigmas are at least what leaving out one eighth of the landmarks after the other shows.
  * @throw ConfigError with what to drive when less than a quarter turn or 0.5 m was driven, fewer
- * than 25 landmarks were seen from three places each, they all stand on one side, the sigma of
+ * than 25 landmarks were seen from three places each, the average one from less than 15 % of the
+ * places, they all stand on one side, the sigma of
  * yaw or offset is above 1.5 degrees or 3 cm, or pictures and odometry do not fit
  */
 MountEstimate calibrateMount(const std::vector<MountSample> &drive);
