@@ -41,9 +41,9 @@ class PilotTest : public testing::Test
 protected:
   explicit PilotTest(const RobotDescription &robot = testRobot(), const PilotOptions &options = {},
                      const std::string &world = "worlds/lab.sdf", const Pose2 &start = {0, -2.5, 0},
-                     SimulatorOptions simulation = {})
+                     const SimulatorOptions &simulation = {})
       : m_scene(std::make_shared<const Scene>(loadScene(dataDir() / world))),
-        simulator(m_scene, robot, testCamera(), optionsAt(start, std::move(simulation))),
+        simulator(m_scene, robot, testCamera(), optionsAt(start, simulation)),
         camera(simulator.camera()),
         pilot({simulator.clock(), simulator.base(), simulator.laser(), camera}, robot, testCamera(),
               options, stop)
@@ -234,7 +234,7 @@ TEST_F(AllRoundPilotTest, BacksOutOfWhereItWasPut)
 class CorridorPilotTest : public PilotTest
 {
 protected:
-  CorridorPilotTest() : PilotTest(testRobot(), {}, "worlds/corridors.sdf", home)
+  CorridorPilotTest() : PilotTest(testRobot(), {}, "worlds/corridors.sdf", kHome)
   {
     makeNode(NodeId{0});
   }
@@ -245,18 +245,18 @@ protected:
     return ask<Homed>(HomeTo{NodeId{0}, std::nullopt, false, surely}).end;
   }
 
-  static constexpr Pose2 home{-4.373, -0.378, -3.102};
-  static constexpr Pose2 alike{4.19, -11.02, -0.13}; ///< beside a place in the corridor opposite
+  static constexpr Pose2 kHome{-4.373, -0.378, -3.102};
+  static constexpr Pose2 kAlike{4.19, -11.02, -0.13}; ///< beside a place in the corridor opposite
 };
 
 TEST_F(CorridorPilotTest, DoesNotTakeAPlaceThatLooksAlikeForTheOneItMakesSureOf)
 {
-  EXPECT_EQ(homeFrom(alike, false), HomingEnd::Arrived);
-  EXPECT_GT(distanceTo(home), 5.0);
-  EXPECT_EQ(homeFrom(alike, true), HomingEnd::Lost);
-  const Pose2 beside{home.x - 0.8, home.y - 0.3, 0.5};
+  EXPECT_EQ(homeFrom(kAlike, false), HomingEnd::Arrived);
+  EXPECT_GT(distanceTo(kHome), 5.0);
+  EXPECT_EQ(homeFrom(kAlike, true), HomingEnd::Lost);
+  const Pose2 beside{kHome.x - 0.8, kHome.y - 0.3, 0.5};
   EXPECT_EQ(homeFrom(beside, true), HomingEnd::Arrived);
-  EXPECT_LT(distanceTo(home), 0.3);
+  EXPECT_LT(distanceTo(kHome), 0.3);
 }
 
 /** Its turns skid much. */
