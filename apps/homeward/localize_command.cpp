@@ -199,8 +199,9 @@ void addLocalizeCommand(CliCommand app)
   command.flag("--published", arguments->published,
                "The kernel as published: a distance, not its square, over the variance");
   command
-      .option("--kidnapping", arguments->kidnapping,
-              "Probability that the robot is carried elsewhere between two pictures")
+      .option(
+          "--kidnapping", arguments->kidnapping,
+          "Probability that the robot is carried elsewhere between two pictures; 0 if published")
       .between(0.0, 0.99)
       .showDefault();
   command.option("--picture", arguments->picture, "Draw what was believed when, .png");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace homeward
 {
@@ -45,8 +46,14 @@ void PlaceMemory::add(NodeId node, const Panorama &panorama)
   if (knows(node)) {
     throw LogicError("place " + std::to_string(node.value) + " is known already");
   }
-  m_index.add(node, makeSignature(panorama, m_index.kind()));
-  m_places.emplace(node, Place{panorama, m_verifier.prepare(panorama)});
+  Place place{panorama, m_verifier.prepare(panorama)};
+  m_index.add(node, proposing(place.view));
+  m_places.emplace(node, std::move(place));
+}
+
+const Signature &PlaceMemory::proposing(const WarpingVerifier::View &view) const
+{
+  return m_options.recognition == Recognition::Verified ? view.edges : view.histogram;
 }
 
 const PlaceMemory::Place &PlaceMemory::place(NodeId node) const
@@ -74,9 +81,10 @@ double PlaceMemory::standingAt(NodeId node, const Panorama &current) const
 std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current) const
 {
   const bool verified = m_options.recognition == Recognition::Verified;
-  const auto candidates = m_index.nearest(makeSignature(current, m_index.kind()),
-                                          verified ? m_options.candidates : m_index.size());
-  return verified ? byPairs(candidates, current) : byHistogram(candidates);
+  const WarpingVerifier::View view = m_verifier.prepare(current);
+  const auto candidates =
+      m_index.nearest(proposing(view), verified ? m_options.candidates : m_index.size());
+  return verified ? byPairs(candidates, view) : byHistogram(candidates);
 }
 
 std::vector<PlaceMatch> PlaceMemory::byHistogram(const std::vector<Match> &candidates) const
@@ -91,9 +99,8 @@ std::vector<PlaceMatch> PlaceMemory::byHistogram(const std::vector<Match> &candi
 }
 
 std::vector<PlaceMatch> PlaceMemory::byPairs(const std::vector<Match> &candidates,
-                                             const Panorama &current) const
+                                             const WarpingVerifier::View &view) const
 {
-  const WarpingVerifier::View view = m_verifier.prepare(current);
   std::vector<PlaceMatch> matches;
   for (const Match &candidate : candidates) {
     const PairLook look = m_verifier.compare(view, place(candidate.node).view);

@@ -55,12 +55,11 @@ struct ExplorerOptions
   int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
   int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
 
-  /** What a place recognised may be off from where the ways driven have it, metres, one sigma: a
-   * place is that large, and the ways are that wrong a metre. */
+  /** Metres, one sigma, that a robot at a place may be off from where its node stands. */
   double placeSigma = 0.5;
-  double reckoningError = 0.08;
+  double reckoningError = 0.08; ///< metres a metre of way, one sigma, that the ways add to it
+  double surelyBeyond = 0.5;  ///< metres that the ways add, beyond which an arrival is made sure of
   double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one
-  double surelyBeyond = 0.5;  ///< metres of the latter beyond which sight makes sure of an arrival
   double nearPlace = 3.5;     ///< metres up to which the robot homes when it looks for its way
 
   /** Longest way, metres, that an edge may stand for. */

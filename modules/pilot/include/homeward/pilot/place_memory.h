@@ -85,9 +85,11 @@ private:
   };
 
   const Place &place(NodeId node) const;
+  /** The signature that proposes candidates. */
+  const Signature &proposing(const WarpingVerifier::View &view) const;
   std::vector<PlaceMatch> byHistogram(const std::vector<Match> &candidates) const;
   std::vector<PlaceMatch> byPairs(const std::vector<Match> &candidates,
-                                  const Panorama &current) const;
+                                  const WarpingVerifier::View &view) const;
 
   Options m_options;
   WarpingVerifier m_verifier;

@@ -8,7 +8,7 @@ namespace homeward
 struct PairLook
 {
   double alignedEdges = 1.0;  ///< dissimilarity() of AlignedEdges
-  double jeffrey = 1.0;       ///< likewise; large where the light has changed
+  double jeffrey = 1.0;       ///< likewise, per pixel; large where the light has changed
   double matchDistance = 1.0; ///< of min-warping, see WarpingMatch, as are the others
   double contrast = 1.0;
   double distanceProxy = 1.0;
