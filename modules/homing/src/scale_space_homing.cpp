@@ -2,6 +2,8 @@
 #include <homeward/homing/scale_space_homing.h>
 
 #include "panorama_check.h"
+#include "scale_matches.h"
+#include "upright_features.h"
 
 #include <homeward/core/error.h>
 
@@ -35,14 +37,16 @@ struct ScaleMatch
   double logScale; ///< log(scale in the current view / scale in the snapshot)
 };
 
-ScaleSpaceView detect(cv::SIFT &sift, const Panorama &panorama)
+ScaleSpaceView detectSift(const Panorama &panorama, const ScaleSpaceOptions &options)
 {
+  const cv::Ptr<cv::SIFT> sift =
+      cv::SIFT::create(options.mostKeypoints, 3, options.contrastThreshold);
   const cv::Mat gray = grayPicture(panorama);
   const int seam = std::min(kSeamColumns, gray.cols / 2);
   cv::Mat wrapped;
   cv::copyMakeBorder(gray, wrapped, 0, 0, seam, seam, cv::BORDER_WRAP);
   std::vector<cv::KeyPoint> all;
-  sift.detect(wrapped, all);
+  sift->detect(wrapped, all);
   std::vector<cv::KeyPoint> kept;
   std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&](const cv::KeyPoint &point) {
     return point.pt.x >= static_cast<float>(seam) - 0.5F &&
@@ -50,7 +54,7 @@ ScaleSpaceView detect(cv::SIFT &sift, const Panorama &panorama)
   });
   ScaleSpaceView found;
   found.geometry = panorama.geometry;
-  sift.compute(wrapped, kept, found.descriptors);
+  sift->compute(wrapped, kept, found.descriptors);
   for (cv::KeyPoint &point : kept) {
     point.pt.x -= static_cast<float>(seam);
   }
@@ -62,21 +66,12 @@ std::vector<ScaleMatch> matchScales(const ScaleSpaceView &current, const ScaleSp
                                     double matchRatio)
 {
   std::vector<ScaleMatch> matches;
-  if (current.points.size() < 2 || snapshot.points.size() < 2) {
-    return matches;
-  }
   // Keypoint sizes are in pixels of their own panorama.
   const double pixelRatio =
       static_cast<double>(snapshot.geometry.width) / static_cast<double>(current.geometry.width);
-  std::vector<std::vector<cv::DMatch>> pairs;
-  cv::BFMatcher(cv::NORM_L2).knnMatch(current.descriptors, snapshot.descriptors, pairs, 2);
-  matches.reserve(pairs.size());
-  for (const std::vector<cv::DMatch> &pair : pairs) {
-    if (pair.size() < 2 || pair[0].distance >= static_cast<float>(matchRatio) * pair[1].distance) {
-      continue;
-    }
-    const cv::KeyPoint &c = current.points[static_cast<std::size_t>(pair[0].queryIdx)];
-    const cv::KeyPoint &s = snapshot.points[static_cast<std::size_t>(pair[0].trainIdx)];
+  for (const cv::DMatch &pair : matchKeypoints(current, snapshot, matchRatio)) {
+    const cv::KeyPoint &c = current.points[static_cast<std::size_t>(pair.queryIdx)];
+    const cv::KeyPoint &s = snapshot.points[static_cast<std::size_t>(pair.trainIdx)];
     const double bearing = current.geometry.azimuth(c.pt.x);
     const double before = snapshot.geometry.azimuth(s.pt.x);
     matches.push_back(
@@ -128,14 +123,23 @@ ScaleSpaceHoming::ScaleSpaceHoming(const ScaleSpaceOptions &options) : m_options
 std::optional<HomeVector> ScaleSpaceHoming::compute(const Panorama &current,
                                                     const Panorama &snapshot)
 {
-  return match(prepare(current), prepare(snapshot));
+  ScaleSpaceView views[2];
+  cv::parallel_for_({0, 2}, [&](const cv::Range &range) {
+    for (int i = range.start; i < range.end; ++i) {
+      views[i] = prepare(i == 0 ? current : snapshot);
+    }
+  });
+  return match(views[0], views[1]);
 }
 
 ScaleSpaceView ScaleSpaceHoming::prepare(const Panorama &panorama) const
 {
-  const cv::Ptr<cv::SIFT> sift =
-      cv::SIFT::create(m_options.mostKeypoints, 3, m_options.contrastThreshold);
-  return detect(*sift, panorama);
+  if (m_options.published) {
+    return detectSift(panorama, m_options);
+  }
+  UprightFeatures features =
+      uprightFeatures(grayPicture(panorama), m_options.contrastThreshold, m_options.mostKeypoints);
+  return {panorama.geometry, std::move(features.points), std::move(features.descriptors)};
 }
 
 std::optional<HomeVector> ScaleSpaceHoming::match(const ScaleSpaceView &current,

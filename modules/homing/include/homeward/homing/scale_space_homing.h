@@ -13,22 +13,24 @@ namespace homeward
 /** What ScaleSpaceHoming may be told. */
 struct ScaleSpaceOptions
 {
-  double contrastThreshold = 0.02; ///< of the SIFT detector; lower finds more keypoints
-  double matchRatio = 0.8;         ///< best over second best descriptor distance, (0, 1)
-  int mostKeypoints = 800;         ///< of each panorama, the strongest
-  int leastMatches = 6;            ///< fewer give no answer
+  /** cv::SIFT, and every feature compared with every other: many times slower, no more accurate. */
+  bool published = false;
+  double contrastThreshold = 0.015; ///< of the detector, of all gray levels; less finds more
+  double matchRatio = 0.8;          ///< best over second best descriptor distance, (0, 1)
+  int mostKeypoints = 800;          ///< of each panorama, the strongest
+  int leastMatches = 6;             ///< fewer give no answer
 };
 
-/** The SIFT keypoints of one panorama. */
+/** The features of one panorama. */
 struct ScaleSpaceView
 {
   PanoramaGeometry geometry;
   std::vector<cv::KeyPoint> points; ///< x in columns of the panorama
-  cv::Mat descriptors;              ///< a row for each
+  cv::Mat descriptors;              ///< a row for each: CV_8U of upright features, CV_32F of SIFT
 };
 
 /**
- * Home in scale space: landmarks whose SIFT scale grew since the snapshot lie where we went, those
+ * Home in scale space: landmarks whose scale grew since the snapshot lie where we went, those
  * that shrank lie towards home.
  *
  * With n_c, b_c (n_e, b_e) number and circular mean bearing of the contracted (expanded) matches,
@@ -37,6 +39,10 @@ struct ScaleSpaceView
  *
  * It needs no compass. distanceProxy comes from the median |log scale ratio|, headingChange from
  * the circular median of the matches' turns. \cite Churchill2013
+ *
+ * Features are extrema of differences of Gaussians with histograms of gradients, as of SIFT,
+ * upright and compared with those only that stand where a landmark can have come to on a level
+ * floor.
  */
 class ScaleSpaceHoming : public HomingMethod
 {
