@@ -89,6 +89,15 @@ void BM_MinWarpingPrepare(benchmark::State &state)
 }
 BENCHMARK(BM_MinWarpingPrepare)->Arg(72)->Arg(144)->Unit(benchmark::kMillisecond);
 
+void BM_ZeilCompass(benchmark::State &state)
+{
+  cv::setNumThreads(1);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(visualCompass(views().current, views().snapshot, kZeilCompass));
+  }
+}
+BENCHMARK(BM_ZeilCompass)->Unit(benchmark::kMillisecond);
+
 void BM_VisualCompass(benchmark::State &state)
 {
   cv::setNumThreads(1);
@@ -98,27 +107,21 @@ void BM_VisualCompass(benchmark::State &state)
 }
 BENCHMARK(BM_VisualCompass)->Unit(benchmark::kMillisecond);
 
-void BM_EdgeCompass(benchmark::State &state)
-{
-  cv::setNumThreads(1);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(visualCompass(views().current, views().snapshot, kEdgeCompass));
-  }
-}
-BENCHMARK(BM_EdgeCompass)->Unit(benchmark::kMillisecond);
-
-/** The argument counts OpenCV's threads. */
+/** The whole of a pair; the first argument counts OpenCV's threads, the second tells the published
+ * way. */
 void BM_ScaleSpaceHoming(benchmark::State &state)
 {
   cv::setNumThreads(static_cast<int>(state.range(0)));
-  ScaleSpaceHoming method;
+  ScaleSpaceOptions options;
+  options.published = state.range(1) != 0;
+  ScaleSpaceHoming method(options);
   for (auto _ : state) {
     benchmark::DoNotOptimize(method.compute(views().current, views().snapshot));
   }
 }
 BENCHMARK(BM_ScaleSpaceHoming)
-    ->Arg(1)
-    ->Arg(2)
+    ->ArgNames({"threads", "published"})
+    ->ArgsProduct({{1, 2}, {0, 1}})
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

@@ -20,7 +20,7 @@ protected:
 TEST_F(VisualCompass, robotTurnedLeftBy90ReadsPlus90)
 {
   const std::optional<CompassReading> reading =
-      visualCompass(m_room.view({0.0, 0.0, kPi / 2.0}), m_room.view({}));
+      visualCompass(m_room.view({0.0, 0.0, kPi / 2.0}), m_room.view({}), kZeilCompass);
   ASSERT_TRUE(reading);
   EXPECT_NEAR(degrees(reading->headingChange), 90.0, 0.1);
   EXPECT_GT(reading->confidence, 0.9);
@@ -31,7 +31,7 @@ TEST_F(VisualCompass, readsTurnsToAFractionOfAColumn)
   const Panorama home = m_room.view({0.2, 0.1, 0.7});
   for (const double turn : {0.0, 3.7, -41.3, 120.9, 179.6}) {
     const std::optional<CompassReading> reading =
-        visualCompass(m_room.view({0.2, 0.1, 0.7 + radians(turn)}), home);
+        visualCompass(m_room.view({0.2, 0.1, 0.7 + radians(turn)}), home, kZeilCompass);
     ASSERT_TRUE(reading);
     EXPECT_NEAR(degrees(wrapAngle(reading->headingChange - radians(turn))), 0.0, 0.2) << turn;
   }
@@ -58,7 +58,7 @@ TEST_F(VisualCompass, agreesWithTryingEveryShift)
       best = k;
     }
   }
-  const std::optional<CompassReading> reading = visualCompass(current, home);
+  const std::optional<CompassReading> reading = visualCompass(current, home, kZeilCompass);
   ASSERT_TRUE(reading);
   const double column = 2.0 * kPi / small.width;
   EXPECT_NEAR(wrapAngle(reading->headingChange - best * column), 0.0, 0.5001 * column);
@@ -67,8 +67,10 @@ TEST_F(VisualCompass, agreesWithTryingEveryShift)
 TEST_F(VisualCompass, isSurerNearby)
 {
   const Panorama home = m_room.view({});
-  const std::optional<CompassReading> near = visualCompass(m_room.view({0.1, 0.0, 1.0}), home);
-  const std::optional<CompassReading> far = visualCompass(m_room.view({1.2, 0.8, 1.0}), home);
+  const std::optional<CompassReading> near =
+      visualCompass(m_room.view({0.1, 0.0, 1.0}), home, kZeilCompass);
+  const std::optional<CompassReading> far =
+      visualCompass(m_room.view({1.2, 0.8, 1.0}), home, kZeilCompass);
   ASSERT_TRUE(near && far);
   EXPECT_GT(near->confidence, far->confidence);
 }
@@ -77,9 +79,9 @@ TEST_F(VisualCompass, uniformPicturesGiveNoAnswer)
 {
   const Panorama home = m_room.view({});
   const Panorama black{cv::Mat::zeros(home.image.size(), CV_8UC1), home.geometry};
-  EXPECT_FALSE(visualCompass(black, home));
-  EXPECT_FALSE(visualCompass(home, black));
-  EXPECT_FALSE(visualCompass(black, black));
+  EXPECT_FALSE(visualCompass(black, home, kZeilCompass));
+  EXPECT_FALSE(visualCompass(home, black, kZeilCompass));
+  EXPECT_FALSE(visualCompass(black, black, kZeilCompass));
 }
 
 TEST_F(VisualCompass, refusesPanoramasOfDifferentGeometry)
@@ -93,7 +95,7 @@ TEST_F(VisualCompass, onEdgesReadsTurnsInAnotherLight)
   const Panorama home = m_room.view({0.2, 0.1, 0.7});
   for (const double turn : {0.0, 3.7, -41.3, 120.9, 179.6}) {
     const Panorama current = m_room.view({0.2, 0.1, 0.7 + radians(turn)}, evening);
-    const std::optional<CompassReading> reading = visualCompass(current, home, kEdgeCompass);
+    const std::optional<CompassReading> reading = visualCompass(current, home);
     ASSERT_TRUE(reading);
     EXPECT_NEAR(degrees(wrapAngle(reading->headingChange - radians(turn))), 0.0, 0.2) << turn;
     EXPECT_GT(reading->confidence, 0.5);
@@ -104,9 +106,9 @@ TEST_F(VisualCompass, onEdgesSaysNothingOfUniformPictures)
 {
   const Panorama home = m_room.view({});
   const Panorama gray{cv::Mat(home.image.size(), CV_8UC1, cv::Scalar(90)), home.geometry};
-  EXPECT_FALSE(visualCompass(gray, home, kEdgeCompass));
-  EXPECT_FALSE(visualCompass(home, gray, kEdgeCompass));
-  EXPECT_FALSE(visualCompass(gray, gray, kEdgeCompass));
+  EXPECT_FALSE(visualCompass(gray, home));
+  EXPECT_FALSE(visualCompass(home, gray));
+  EXPECT_FALSE(visualCompass(gray, gray));
 }
 
 TEST_F(VisualCompass, refusesMoreBandsThanRows)

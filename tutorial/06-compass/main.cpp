@@ -55,9 +55,9 @@ int main()
   std::printf("turned   by day        at night      at night, by edges\n");
   for (std::size_t i = 0; i < turns.size(); ++i) {
     std::printf("%6d", turns[i]);
-    print(byDay, i, {});
+    print(byDay, i, kZeilCompass);
+    print(atNight, i, kZeilCompass);
     print(atNight, i, {});
-    print(atNight, i, kEdgeCompass);
     std::printf("\n");
   }
 

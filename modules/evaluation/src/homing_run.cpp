@@ -149,10 +149,10 @@ HomingAnswers runHoming(const std::string &method, const HomingTask &task, int t
     result = runScaleSpace(task, threads);
   }
   else if (method == "compass") {
-    result = runCompass({}, task, threads);
+    result = runCompass(kZeilCompass, task, threads);
   }
   else if (method == "edge-compass") {
-    result = runCompass(kEdgeCompass, task, threads);
+    result = runCompass({}, task, threads);
   }
   else {
     result = runMinWarping(std::stoi(method.substr(method.find('-') + 1)), task, threads);

@@ -15,18 +15,18 @@ struct CompassReading
   double confidence = 0.0;    ///< 0 (could be anything) to 1
 };
 
-/** What is compared. The default is the compass as published. */
+/** What is compared. */
 struct CompassOptions
 {
   /** Bands of rows that are averaged first, which is faster; 0: every row by itself. */
-  int bands = 0;
+  int bands = 16;
   /** Edges of the log intensity, of one strength in every band: light and exposure do not matter.
    */
-  bool edges = false;
+  bool edges = true;
 };
 
-/** Fast, and sure of itself when the light changes. */
-inline constexpr CompassOptions kEdgeCompass{16, true};
+/** The compass as published: brightness, every row by itself. */
+inline constexpr CompassOptions kZeilCompass{0, false};
 
 /**
  * The turn that makes two panoramas most alike: the shift k that minimises
@@ -34,8 +34,8 @@ inline constexpr CompassOptions kEdgeCompass{16, true};
  *     ssd(k) = sum over pixels of (C(i + k, j) - S(i, j))^2
  *
  * read as +2 pi k / width, since columns grow clockwise; all shifts at once by FFT, refined by a
- * parabola. It holds near the snapshot's place; on brightness only in the same light. \cite
- * Zeil2003
+ * parabola. By default edges are compared, which holds in any light; it holds near the snapshot's
+ * place only. \cite Zeil2003
  * @return nothing when either picture is (nearly) the same all round
  * @throw LogicError when the geometries differ, a picture does not fit its geometry, or there are
  * more bands than rows
