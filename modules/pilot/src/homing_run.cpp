@@ -53,6 +53,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
     if (toSeconds(now - m_lastSeen) > m_options.lostSeconds) {
       return ends(HomingEnd::Lost);
     }
+    search();
     if ((m_motion.pose().translation() - m_gotOnAt).norm() > m_options.headway) {
       m_gotOnAt = m_motion.pose().translation();
       m_gotOn = now;
@@ -96,6 +97,10 @@ void HomingRun::perceive()
     if (*result && (*result)->confidence >= m_options.minConfidence) {
       take(**result, m_pictureAt);
       m_lastSeen = now;
+      m_guesses.clear();
+    }
+    else if (*result) {
+      m_guesses.push_back(oDirection({**result, m_pictureAt}));
     }
   }
   if (!m_worker.busy() && now >= m_nextPicture) {
@@ -186,19 +191,47 @@ bool HomingRun::settled() const
 
 void HomingRun::stepOver()
 {
-  constexpr double kSpeed = 0.1;   // m/s
-  constexpr double kLeast = 0.01;  // metres
-  constexpr double kSeconds = 5.0; // at most
+  constexpr double kSpeed = 0.1; // m/s
   const Eigen::Vector2d way = m_servo.options().landmarkRange * rest();
-  const Eigen::Vector2d oTarget = m_motion.pose().translation() + way;
-  const double oBearing = std::atan2(way.y(), way.x());
-  if (m_motion.turnTo(oBearing)) {
-    const Time begin = m_motion.devices().clock.now();
-    while (unit(oBearing).dot(oTarget - m_motion.pose().translation()) > kLeast &&
-           toSeconds(m_motion.devices().clock.now() - begin) < kSeconds) {
-      m_motion.follow({kSpeed, 0.0}, 0.0);
-      m_motion.tick();
-    }
+  advance(std::atan2(way.y(), way.x()), way.norm(), kSpeed);
+}
+
+/** Where single home vectors say nothing, they may all the same point one way, and that way home.
+ */
+void HomingRun::search()
+{
+  constexpr std::size_t kGuesses = 6;
+  constexpr double kAgreement = 0.9; // length of the mean of their unit vectors
+  constexpr double kSpeed = 0.2;     // m/s
+  if (m_guesses.size() < kGuesses || m_searches == m_options.searches) {
+    return;
+  }
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const double oGuess : m_guesses) {
+    mean += unit(oGuess) / static_cast<double>(m_guesses.size());
+  }
+  m_guesses.clear();
+  if (mean.norm() >= kAgreement) {
+    ++m_searches;
+    advance(std::atan2(mean.y(), mean.x()), m_options.searchStep, kSpeed);
+    m_lastSeen = m_motion.devices().clock.now();
+  }
+}
+
+/** Straight ahead by odometry, as far as there is room. */
+void HomingRun::advance(double oBearing, double metres, double speed)
+{
+  constexpr double kLeast = 0.01;  // metres left
+  constexpr double kSeconds = 5.0; // at most
+  const Eigen::Vector2d oTarget = m_motion.pose().translation() + metres * unit(oBearing);
+  if (!m_motion.turnTo(oBearing)) {
+    return;
+  }
+  const Time begin = m_motion.devices().clock.now();
+  while (unit(oBearing).dot(oTarget - m_motion.pose().translation()) > kLeast &&
+         toSeconds(m_motion.devices().clock.now() - begin) < kSeconds) {
+    m_motion.follow({speed, 0.0}, 0.0);
+    m_motion.tick();
   }
 }
 

@@ -28,6 +28,8 @@ struct HomingRunOptions
   double besideProxy = 0.12;    ///< within it, a place that nothing leads nearer to is reached
   double minConfidence = 0.06;  ///< home vectors below say nothing
   double lostSeconds = 8.0;     ///< s without a home vector that says something
+  int searches = 3;             ///< ... before which it goes where these point if they agree, ...
+  double searchStep = 0.6;      ///< metres at a time
   double blockedSeconds = 3.0;  ///< s without a free way before it backs out, ...
   double headway = 0.15;        ///< metres it must have moved ...
   double headwaySeconds = 12.0; ///< ... within so many seconds; else it is blocked too
@@ -96,6 +98,8 @@ private:
   void align();
   bool settled() const;
   void stepOver();
+  void search();
+  void advance(double oBearing, double metres, double speed);
   Eigen::Vector2d rest() const; ///< way left, odometry frame, in distance proxies
   double oDirection(const Seen &seen) const;
   double placeHeading() const;
@@ -116,6 +120,8 @@ private:
   Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
   double m_startTravelled = 0.0;
   RangeScale m_scale;
+  std::vector<double> m_guesses; ///< directions that said nothing, odometry frame, since it stood
+  int m_searches = 0;
   std::optional<Swing> m_swing; ///< when the home vector last swung round
   double m_hereProxy;           ///< distance proxy that says "here"
   double m_nearProxy;           ///< within it, a swing says "passed it"
