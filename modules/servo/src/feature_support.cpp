@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feature_support.h"
 
+#include <homeward/core/error.h>
+
 #include <visp3/core/vpDisplay.h>
 #include <visp3/core/vpImagePoint.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
@@ -23,6 +26,20 @@ vpMatrix selectRows(const vpMatrix &rows, unsigned int select)
     }
   }
   return selected;
+}
+
+vpColVector difference(const vpColVector &s, const vpBasicFeature &wanted)
+{
+  constexpr unsigned int kEveryRow = ~0U; // FEATURE_ALL is 16 rows only
+  if (wanted.getDimension(kEveryRow) != s.getRows()) {
+    throw LogicError("wanted feature has " + std::to_string(wanted.getDimension(kEveryRow)) +
+                     " rows, the current one has " + std::to_string(s.getRows()));
+  }
+  vpColVector e(s.getRows());
+  for (unsigned int row = 0; row < s.getRows(); ++row) {
+    e[row] = s[row] - wanted[row];
+  }
+  return e;
 }
 
 template <class Pixel>
