@@ -136,6 +136,23 @@ TEST(FeatureSphericalPhotometric, interactionIsTheDerivativeOfTurnsAboutEveryAxi
   }
 }
 
+TEST(FeatureSphericalPhotometric, aTurnByACellMovesEveryCellByOneRoundTheSeam)
+{
+  const SyntheticRoom room(31, 6.0, 5.0);
+  const auto columns = static_cast<unsigned int>(PhotometricOptions{}.columns);
+  FeatureSphericalPhotometric before;
+  FeatureSphericalPhotometric turned;
+  ASSERT_TRUE(before.buildFrom(room.view({0.0, 0.0, 0.3})));
+  ASSERT_TRUE(turned.buildFrom(room.view({0.0, 0.0, 0.3 + 2.0 * kPi / columns})));
+  const vpMatrix L = before.interaction();
+  const vpMatrix turnedL = turned.interaction();
+  for (unsigned int i = 0; i < L.getRows(); ++i) {
+    const unsigned int right = i % columns + 1 < columns ? i + 1 : i + 1 - columns;
+    EXPECT_NEAR(turned[right], before[i], 1e-5) << "cell " << i;
+    EXPECT_NEAR(turnedL[right][5], L[i][5], 1e-4) << "cell " << i;
+  }
+}
+
 TEST(FeatureSphericalPhotometric, exposureDoesNotMatter)
 {
   const SyntheticRoom room(31, 6.0, 5.0);

@@ -93,6 +93,28 @@ TEST(PhotometricOffset, fromTooFarItIsRightOrMissing)
   }
 }
 
+TEST(PhotometricOffset, covarianceIsThatOfNoise)
+{
+  const Panorama stored = SyntheticRoom(31, 6.0, 5.0).view({});
+  cv::RNG noise(5);
+  double sum = 0.0;
+  constexpr int kDraws = 10;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    cv::Mat grain(stored.image.size(), CV_32F);
+    noise.fill(grain, cv::RNG::NORMAL, 0.0, 30.0);
+    // Coarser than a pixel, finer than the low-pass, as shadows of small things are.
+    cv::GaussianBlur(grain, grain, {}, 3.0);
+    Panorama grainy{cv::Mat(), stored.geometry};
+    cv::add(stored.image, grain, grainy.image, cv::noArray(), CV_8U);
+    const auto found = photometricOffset(grainy, stored, floorKnown());
+    ASSERT_TRUE(found);
+    const Eigen::Vector3d off(found->hMp.x, found->hMp.y, found->hMp.heading);
+    sum += off.dot(found->covariance.inverse() * off) / 3.0;
+  }
+  EXPECT_GT(sum / kDraws, 0.3);
+  EXPECT_LT(sum / kDraws, 3.0);
+}
+
 TEST(PhotometricOffset, isZeroAtHome)
 {
   const Panorama view = SyntheticRoom(31, 6.0, 5.0).view({});
@@ -101,6 +123,7 @@ TEST(PhotometricOffset, isZeroAtHome)
   EXPECT_EQ(found->hMp.translation().norm(), 0.0);
   EXPECT_EQ(found->hMp.heading, 0.0);
   EXPECT_NEAR(found->correlation, 1.0, 1e-6);
+  EXPECT_GT(found->covariance(0, 0), 0.0) << "no picture is exact";
 }
 
 TEST(PhotometricOffset, isAsLongAsTheRangeSays)
@@ -130,7 +153,7 @@ TEST(PhotometricOffset, picturesThatTellNothingGiveNoAnswer)
   EXPECT_FALSE(photometricOffset(view, view, {}, cv::Mat::zeros(view.image.size(), CV_8UC1)))
       << "nothing visible";
 
-  Panorama rings = view; // a turn does not show
+  Panorama rings{view.image.clone(), view.geometry}; // a turn does not show
   for (int row = 0; row < rings.image.rows; ++row) {
     rings.image.row(row).setTo(100.0 + 80.0 * std::sin(0.1 * row));
   }

@@ -26,6 +26,9 @@ constexpr double kSettled = 5e-3;
 /** Smallest over largest singular value. */
 constexpr double kLeastConditioning = 1e-2;
 
+/** Of 8-bit pictures, gray levels. */
+const double kRounding = 1.0 / std::sqrt(12.0);
+
 using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /** The two pictures when the camera is believed at hMp. */
@@ -35,6 +38,7 @@ struct Comparison
   Eigen::VectorXd error; ///< current - predicted
   Jacobian J;            ///< d predicted for (x, y) of p in units of the range, and heading
   double correlation = 0.0;
+  double contrast = 0.0; ///< of the current picture, gray levels
 
   double cost() const { return error.squaredNorm(); }
 };
@@ -87,7 +91,7 @@ std::optional<Comparison> compare(const Panorama &current, const Panorama &store
   }
   const double range = sphere.options().range;
   Comparison comparison{hMp, seen->values - predicted->values, Jacobian(sphere.size(), 3),
-                        seen->values.dot(predicted->values)};
+                        seen->values.dot(predicted->values), seen->contrast};
   // The mean of both ends' derivatives is right to the second order.
   comparison.J.col(0) = (seen->changes.col(0) + predicted->changes.col(0)) * (range / 2.0);
   comparison.J.col(1) = (seen->changes.col(1) + predicted->changes.col(1)) * (range / 2.0);
@@ -120,7 +124,9 @@ Eigen::Matrix3d covarianceOf(const Comparison &found, const PhotometricSphere &s
   const double range = sphere.options().range;
   const Eigen::Vector3d units(range, range, 1.0);
   const Eigen::Matrix3d H = found.J.transpose() * found.J;
-  return units.asDiagonal() * H.inverse() * units.asDiagonal() * (found.cost() / independent);
+  const double rounding = kRounding / found.contrast;
+  const double variance = std::max(found.cost(), rounding * rounding) / independent;
+  return units.asDiagonal() * H.inverse() * units.asDiagonal() * variance;
 }
 
 void checkOptions(const PhotometricOffsetOptions &options)

@@ -24,8 +24,8 @@ struct PhotometricOffsetOptions
 struct PhotometricOffset
 {
   Pose2 hMp;                  ///< metres, as far as the ranges are right, and rad
-  Eigen::Matrix3d covariance; ///< of (x, y, heading) in p, from what is left of the difference;
-                              ///< wrong ranges are not in it
+  Eigen::Matrix3d covariance; ///< of (x, y, heading) in p, from what is left of the difference
+                              ///< and rounding; wrong ranges are not in it
   double correlation = 0.0;   ///< of the two pictures when they are aligned, at most 1
 };
 
@@ -36,9 +36,9 @@ struct PhotometricOffset
  * exposure apart. \cite Collewet2011
  *
  * @param visible as in PhotometricSphere(), of both pictures
- * @return nothing when a picture shows nothing, the two stay unlike, an answer lies beyond reach or
- * a freedom cannot be told: each singular value of the problem, in rad, must be a hundredth of the
- * largest
+ * @return nothing when a picture shows nothing, the two stay unlike, the way leads out of reach, or
+ * a freedom hardly changes the picture: a hundredth of what the strongest one does, a range's
+ * length taken for a radian
  * @throw LogicError when the geometries differ, a picture does not fit its geometry, or options are
  * no use
  */
