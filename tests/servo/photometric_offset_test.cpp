@@ -167,6 +167,10 @@ TEST(PhotometricOffset, refusesBadInput)
   other.geometry.elevationMax = radians(30.0);
   EXPECT_THROW(photometricOffset(other, view), LogicError);
   EXPECT_THROW(photometricOffset({cv::Mat(), view.geometry}, view), LogicError);
+  PanoramaGeometry none;
+  none.width = 0;
+  none.height = 0;
+  EXPECT_THROW(photometricOffset({cv::Mat(), none}, {cv::Mat(), none}), LogicError);
   PhotometricOffsetOptions options;
   options.reach = 0.0;
   EXPECT_THROW(photometricOffset(view, view, options), LogicError);

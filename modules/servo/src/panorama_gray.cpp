@@ -15,7 +15,7 @@ namespace
 
 void requireSize(const char *what, const cv::Mat &picture, const PanoramaGeometry &geometry)
 {
-  if (picture.cols != geometry.width || picture.rows != geometry.height) {
+  if (picture.empty() || picture.cols != geometry.width || picture.rows != geometry.height) {
     throw LogicError(std::string(what) + " is " + std::to_string(picture.cols) + " x " +
                      std::to_string(picture.rows) + ", its geometry says " +
                      std::to_string(geometry.width) + " x " + std::to_string(geometry.height));

@@ -31,6 +31,33 @@ const double kRounding = 1.0 / std::sqrt(12.0);
 
 using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
+/** Two gray pictures of one geometry, and where both show the scene (255). */
+struct Pair
+{
+  cv::Mat current;
+  cv::Mat stored;
+  cv::Mat visible;
+  PanoramaGeometry geometry;
+};
+
+/** At half the size while cells keep at least 2 x 2 pixels: it is their averages that count. */
+Pair reduced(Pair pair, const PhotometricOptions &options)
+{
+  PanoramaGeometry &g = pair.geometry;
+  while (g.width % 2 == 0 && g.height % 2 == 0 && g.width >= 4 * options.columns &&
+         g.height >= 4 * options.rows) {
+    g.width /= 2;
+    g.height /= 2;
+    for (cv::Mat *picture : {&pair.current, &pair.stored, &pair.visible}) {
+      cv::Mat half;
+      cv::resize(*picture, half, {g.width, g.height}, 0.0, 0.0, cv::INTER_AREA);
+      *picture = half;
+    }
+    pair.visible = pair.visible == 255;
+  }
+  return pair;
+}
+
 /** The two pictures when the camera is believed at hMp. */
 struct Comparison
 {
@@ -50,10 +77,9 @@ struct Prediction
   cv::Mat visible;
 };
 
-Prediction predict(const Panorama &stored, const cv::Mat &visible, const PhotometricSphere &sphere,
-                   const Pose2 &hMp)
+Prediction predict(const Pair &pair, const PhotometricSphere &sphere, const Pose2 &hMp)
 {
-  const PanoramaGeometry &g = stored.geometry;
+  const PanoramaGeometry &g = pair.geometry;
   cv::Mat mapX(g.height, g.width, CV_32F);
   cv::Mat mapY(g.height, g.width, CV_32F);
   for (int v = 0; v < g.height; ++v) {
@@ -75,15 +101,15 @@ Prediction predict(const Panorama &stored, const cv::Mat &visible, const Photome
     cv::remap(wide, seen, mapX, mapY, cv::INTER_LINEAR, cv::BORDER_CONSTANT);
     return seen;
   };
-  return {{look(stored.image), g}, look(visible) == 255};
+  return {{look(pair.stored), g}, look(pair.visible) == 255};
 }
 
-std::optional<Comparison> compare(const Panorama &current, const Panorama &stored,
-                                  const cv::Mat &visible, const PhotometricSphere &sphere,
+std::optional<Comparison> compare(const Pair &pair, const PhotometricSphere &sphere,
                                   const Pose2 &hMp)
 {
-  const Prediction prediction = predict(stored, visible, sphere, hMp);
-  const std::optional<PhotometricSample> seen = sphere.measure(current, prediction.visible);
+  const Prediction prediction = predict(pair, sphere, hMp);
+  const std::optional<PhotometricSample> seen =
+      sphere.measure({pair.current, pair.geometry}, prediction.visible);
   const std::optional<PhotometricSample> predicted =
       sphere.measure(prediction.panorama, prediction.visible);
   if (!seen || !predicted) {
@@ -144,11 +170,14 @@ std::optional<PhotometricOffset> photometricOffset(const Panorama &current, cons
                                                    const cv::Mat &visible)
 {
   checkOptions(options);
-  const PhotometricSphere sphere(stored.geometry, options.sphere);
-  const cv::Mat mask = visibleMask(stored.geometry, visible);
-  const Panorama currentGray{grayOf(current), current.geometry};
-  const Panorama storedGray{grayOf(stored), stored.geometry};
-  std::optional<Comparison> best = compare(currentGray, storedGray, mask, sphere, {});
+  if (!(current.geometry == stored.geometry)) {
+    throw LogicError("photometric offset of two panoramas of different geometry");
+  }
+  const Pair pair = reduced(
+      {grayOf(current), grayOf(stored), visibleMask(stored.geometry, visible), stored.geometry},
+      options.sphere);
+  const PhotometricSphere sphere(pair.geometry, options.sphere);
+  std::optional<Comparison> best = compare(pair, sphere, {});
   double damping = 1e-3;
   for (int step = 0; best && step < kMostSteps; ++step) {
     const std::optional<Eigen::Vector3d> delta = stepFrom(*best, damping);
@@ -158,7 +187,7 @@ std::optional<PhotometricOffset> photometricOffset(const Panorama &current, cons
     const double range = options.sphere.range;
     const Pose2 next = best->hMp * Pose2{(*delta)[0] * range, (*delta)[1] * range, (*delta)[2]};
     const std::optional<Comparison> tried =
-        near(next, options) ? compare(currentGray, storedGray, mask, sphere, next) : std::nullopt;
+        near(next, options) ? compare(pair, sphere, next) : std::nullopt;
     const bool better = tried && tried->cost() < best->cost();
     best = better ? tried : best;
     damping *= better ? 0.2 : 8.0;

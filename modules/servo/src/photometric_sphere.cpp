@@ -78,6 +78,9 @@ PhotometricSphere::PhotometricSphere(const PanoramaGeometry &geometry,
 {
   checkOptions(geometry, options);
   m_visible = visibleMask(geometry, visible);
+  for (int u = 0; u < geometry.width; ++u) {
+    m_ahead.emplace_back(std::cos(geometry.azimuth(u)), std::sin(geometry.azimuth(u)));
+  }
 }
 
 double PhotometricSphere::cellsOfLowPass() const
@@ -114,8 +117,8 @@ std::array<cv::Mat, 8> PhotometricSphere::planes(const cv::Mat &gray, const cv::
       if (inner.at<std::uint8_t>(v, u) == 0) {
         continue;
       }
-      const double ca = std::cos(g.azimuth(u));
-      const double sa = std::sin(g.azimuth(u));
+      const double ca = m_ahead[static_cast<std::size_t>(u)].x();
+      const double sa = m_ahead[static_cast<std::size_t>(u)].y();
       const int right = row[(u + 1) % g.width];
       const int left = row[(u + g.width - 1) % g.width];
       const int below = gray.at<std::uint8_t>(v + 1, u);

@@ -11,8 +11,7 @@ namespace homeward
  * The intensities of a whole panorama, without any matching: s and L as PhotometricSphere has them.
  * It sees home from about as far as its low-pass is wide, and then comes very near.
  *
- * As in vpFeatureLuminance, a selection of rows is ignored. vpServo::computeControlLaw() multiplies
- * out a matrix of n x n for its n rows: leave it a few thousand cells at most.
+ * As in vpFeatureLuminance, a selection of rows is ignored.
  * \cite Collewet2011 \cite Caron2013
  */
 class FeatureSphericalPhotometric : public vpBasicFeature

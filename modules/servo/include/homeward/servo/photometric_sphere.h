@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace homeward
 {
@@ -96,7 +97,8 @@ private:
 
   PanoramaGeometry m_geometry;
   PhotometricOptions m_options;
-  cv::Mat m_visible; ///< CV_8UC1, 0 or 255
+  cv::Mat m_visible;                    ///< CV_8UC1, 0 or 255
+  std::vector<Eigen::Vector2d> m_ahead; ///< cosine and sine of each column's azimuth
 };
 
 } // namespace homeward
