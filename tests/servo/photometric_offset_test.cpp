@@ -152,12 +152,54 @@ TEST(PhotometricOffset, picturesThatTellNothingGiveNoAnswer)
   EXPECT_FALSE(photometricOffset(room.view({0.0, 0.0, 1.5}), view)) << "turned too far";
   EXPECT_FALSE(photometricOffset(view, view, {}, cv::Mat::zeros(view.image.size(), CV_8UC1)))
       << "nothing visible";
+}
 
-  Panorama rings{view.image.clone(), view.geometry}; // a turn does not show
-  for (int row = 0; row < rings.image.rows; ++row) {
-    rings.image.row(row).setTo(100.0 + 80.0 * std::sin(0.1 * row));
+/** Rings at every elevation with a faint wave round the horizon, gray levels. */
+Panorama rings(double wave)
+{
+  const PanoramaGeometry geometry;
+  Panorama rings{cv::Mat(geometry.height, geometry.width, CV_8UC1), geometry};
+  for (int v = 0; v < geometry.height; ++v) {
+    for (int u = 0; u < geometry.width; ++u) {
+      rings.image.at<std::uint8_t>(v, u) = cv::saturate_cast<std::uint8_t>(
+          120.0 + 80.0 * std::sin(0.1 * v) + wave * std::sin(3.0 * geometry.azimuth(u)));
+    }
   }
-  EXPECT_FALSE(photometricOffset(rings, rings));
+  return rings;
+}
+
+TEST(PhotometricOffset, aFreedomThatHardlyShowsGivesNoAnswer)
+{
+  EXPECT_FALSE(photometricOffset(rings(0.0), rings(0.0)));
+  EXPECT_FALSE(photometricOffset(rings(0.6), rings(0.6)));
+  EXPECT_TRUE(photometricOffset(rings(20.0), rings(20.0)));
+}
+
+TEST(PhotometricOffset, answersOnlyWithinReach)
+{
+  const SyntheticRoom room(31, 6.0, 5.0);
+  const Panorama stored = room.view({});
+  PhotometricOffsetOptions options = floorKnown();
+  const Panorama aside = room.view({0.05, 0.0, 0.0});
+  const Panorama turned = room.view({0.0, 0.0, 0.05});
+  EXPECT_TRUE(photometricOffset(aside, stored, options));
+  EXPECT_TRUE(photometricOffset(turned, stored, options));
+  options.reach = 0.03;
+  options.turn = 0.03;
+  EXPECT_FALSE(photometricOffset(aside, stored, options));
+  EXPECT_FALSE(photometricOffset(turned, stored, options));
+}
+
+TEST(PhotometricOffset, picturesThatStayUnlikeGiveNoAnswer)
+{
+  const SyntheticRoom room(31, 6.0, 5.0);
+  const Panorama stored = room.view({});
+  const Panorama otherLamp = room.view({}, {0.8, 0.0, 0.25, 1.0});
+  PhotometricOffsetOptions options = floorKnown();
+  const auto found = photometricOffset(otherLamp, stored, options);
+  ASSERT_TRUE(found);
+  options.leastCorrelation = found->correlation + 0.01;
+  EXPECT_FALSE(photometricOffset(otherLamp, stored, options));
 }
 
 TEST(PhotometricOffset, refusesBadInput)
