@@ -5,6 +5,7 @@
 #include "view_source.h"
 
 #include <homeward/evaluation/arrival_trials.h>
+#include <homeward/homing/homing_method.h>
 #include <homeward/viewer/home_vector_picture.h>
 
 #include <nlohmann/json.hpp>
@@ -155,8 +156,8 @@ void addEvaluateArrivalCommand(CliCommand evaluate)
       .showDefault();
   command.option("--light-now", arguments->lightNow, "Light when the robot drives home")
       .showDefault();
-  command.option("--homing", arguments->homing, "minwarping or hiss")
-      .oneOf({"minwarping", "hiss"})
+  command.option("--homing", arguments->homing, "How the robot finds home by sight")
+      .oneOf(homingMethodNames())
       .showDefault();
   command.option("--mirror-ahead", arguments->mirrorAhead,
                  "Metres that the mirror stands ahead of where the robot file has it");

@@ -8,6 +8,7 @@
 #include <homeward/core/error.h>
 #include <homeward/evaluation/mission_truth.h>
 #include <homeward/evaluation/truth_log.h>
+#include <homeward/homing/homing_method.h>
 #include <homeward/mission/explorer.h>
 
 #include <nlohmann/json.hpp>
@@ -262,7 +263,10 @@ void addExploreCommand(CliCommand app)
   command.option("--forward-distance", arguments->forwardDistance, "Metres driven before looking")
       .between(0.5, 20.0)
       .showDefault();
-  command.option("--homing", arguments->homing, "minwarping, or hiss as the seed").showDefault();
+  command
+      .option("--homing", arguments->homing, "How the robot finds home by sight; hiss as the seed")
+      .oneOf(homingMethodNames())
+      .showDefault();
   command
       .option("--histogram-threshold", arguments->histogramThreshold,
               "Recognise places by gray histograms up to this alone, as the seed (400 to 600)")

@@ -79,7 +79,9 @@ void addHomeCommand(CliCommand app)
   CliCommand layout = command.exactlyOneOf("layout", "What the pictures are");
   layout.option("--camera", arguments->camera, "Mirror pictures: camera file (YAML)");
   layout.option("--panorama", arguments->panorama, "Panoramas: layout file (panorama.yaml)");
-  command.option("--method", arguments->method, "minwarping or hiss").showDefault();
+  command.option("--method", arguments->method, "How home is found")
+      .oneOf(homingMethodNames())
+      .showDefault();
   command.json(arguments->json, "the answer");
   command.run([arguments] {
     home(*arguments);

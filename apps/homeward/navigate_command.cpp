@@ -8,6 +8,7 @@
 #include <homeward/core/error.h>
 #include <homeward/core/random.h>
 #include <homeward/evaluation/truth_log.h>
+#include <homeward/homing/homing_method.h>
 #include <homeward/mission/navigator.h>
 
 #include <nlohmann/json.hpp>
@@ -146,7 +147,10 @@ void addNavigateCommand(CliCommand app)
   command.option("--map", arguments->map, "Map file").required();
   command.option("--to", arguments->to, "Node to drive to").required();
   command.option("--from", arguments->from, "Start at this node's true place, any heading");
-  command.option("--homing", arguments->homing, "minwarping, or hiss as the seed").showDefault();
+  command
+      .option("--homing", arguments->homing, "How the robot finds home by sight; hiss as the seed")
+      .oneOf(homingMethodNames())
+      .showDefault();
   command.option("--max-time", arguments->maxTime, "Seconds of robot time after which it gives up")
       .positive()
       .showDefault();

@@ -164,7 +164,7 @@ TEST(HomingRun, answersAreTheSameWithOneThreadAndWithTwo)
 {
   HomingTask task = paintedTask();
   task.pairs.resize(6);
-  for (const char *method : {"minwarping-72", "hiss", "compass"}) {
+  for (const char *method : {"minwarping-72", "hiss", "bearing", "alv", "combined", "compass"}) {
     const HomingAnswers one = runHoming(method, task, 1);
     const HomingAnswers two = runHoming(method, task, 2);
     ASSERT_EQ(one.answers.size(), task.pairs.size());

@@ -23,6 +23,7 @@ struct MethodCase
   double meanError;   ///< of the direction, degrees
   double turnError;   ///< mean of the heading change, degrees
   double turnedShift; ///< largest change of the direction beyond the robot's own turn, degrees
+  double farthest;    ///< of the places it is tried from, metres: a compass holds near home only
 };
 
 class HomingLaw : public testing::TestWithParam<MethodCase>
@@ -54,7 +55,7 @@ TEST_P(HomingLaw, pointsHomeAndTellsTheTurn)
   for (int i = 0; i < kPairs; ++i) {
     const Pose2 home{random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5),
                      random.uniform(-kPi, kPi)};
-    const double distance = 0.3 + 1.3 * i / (kPairs - 1);
+    const double distance = 0.3 + (GetParam().farthest - 0.3) * i / (kPairs - 1);
     const double away = random.uniform(-kPi, kPi);
     const Pose2 current{home.x + distance * std::cos(away), home.y + distance * std::sin(away),
                         random.uniform(-kPi, kPi)};
@@ -94,7 +95,8 @@ TEST_P(HomingLaw, turningTheRobotTurnsTheDirectionBack)
 TEST_P(HomingLaw, proxyGrowsWithTheDistance)
 {
   double before = 0.0;
-  for (const double distance : {0.15, 0.4, 0.8, 1.4}) {
+  for (const double share : {0.1, 0.25, 0.5, 0.9}) {
+    const double distance = share * GetParam().farthest;
     double mean = 0.0;
     for (const double away : {0.4, 1.9, 3.4, 5.2}) {
       const std::optional<HomeVector> found =
@@ -117,6 +119,51 @@ TEST_P(HomingLaw, picturesWithoutContentGiveNoAnswer)
     EXPECT_FALSE(m_method->compute(home, empty));
     EXPECT_FALSE(m_method->compute(empty, empty));
   }
+}
+
+/** Damage that a camera does to what it sees. */
+std::vector<Panorama> damaged(const Panorama &seen)
+{
+  std::vector<Panorama> pictures(4, seen);
+  pictures[0].image = seen.image * 4.0; // over-exposed: most of it is white
+  pictures[1].image = seen.image.clone();
+  pictures[1].image.colRange(0, seen.image.cols / 2).setTo(0); // half covered
+  pictures[2].image = seen.image / 40;                         // nearly black
+  pictures[3].image = cv::Mat(seen.image.size(), CV_8UC1);     // nothing but noise
+  cv::RNG noise(5);
+  noise.fill(pictures[3].image, cv::RNG::UNIFORM, 0, 256);
+  return pictures;
+}
+
+TEST_P(HomingLaw, damagedPicturesNeverGiveNonsense)
+{
+  const Panorama home = view({});
+  const std::vector<Panorama> pictures = damaged(view({0.5, 0.3, 1.0}));
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    for (const bool swapped : {false, true}) {
+      const std::optional<HomeVector> found =
+          swapped ? m_method->compute(home, pictures[i]) : m_method->compute(pictures[i], home);
+      if (!found) {
+        continue;
+      }
+      EXPECT_LE(std::abs(found->direction), kPi) << i;
+      EXPECT_LE(std::abs(found->headingChange), kPi) << i;
+      EXPECT_GT(found->distanceProxy, 0.0) << i;
+      EXPECT_LT(found->distanceProxy, 100.0) << i;
+      EXPECT_GE(found->confidence, 0.0) << i;
+      EXPECT_LE(found->confidence, i == 3 ? 0.4 : 1.0) << i;
+    }
+  }
+}
+
+TEST_P(HomingLaw, panoramasOfOtherSizesCompare)
+{
+  const SyntheticRoom room{11, 6.0, 5.0};
+  const Pose2 here{0.4, 0.3, 0.5};
+  const std::optional<HomeVector> found =
+      m_method->compute(room.view(here, {}, {.width = 600, .height = 140}), view({0.1, 0.1, 0.3}));
+  ASSERT_TRUE(found);
+  EXPECT_LT(error(found->headingChange, 0.2), 3.0 + GetParam().turnError);
 }
 
 TEST_P(HomingLaw, samePictureIsHome)
@@ -153,15 +200,27 @@ TEST_P(HomingLaw, pictureUnlikeItsGeometryIsRefused)
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, HomingLaw,
-                         testing::Values(MethodCase{"minwarping", 4.0, 2.0, 4.0},
-                                         MethodCase{"hiss", 20.0, 6.0, 15.0}),
+                         testing::Values(MethodCase{"minwarping", 4.0, 2.0, 4.0, 1.6},
+                                         MethodCase{"hiss", 20.0, 6.0, 15.0, 1.6},
+                                         MethodCase{"bearing", 1.0, 0.5, 2.0, 1.6},
+                                         MethodCase{"alv", 40.0, 10.0, 15.0, 0.6},
+                                         MethodCase{"did", 20.0, 10.0, 15.0, 0.6},
+                                         MethodCase{"combined", 4.0, 2.0, 4.0, 1.6}),
                          [](const auto &instance) { return instance.param.name; });
+
+TEST(HomingMethods, everyNameMakesAMethod)
+{
+  for (const std::string &name : homingMethodNames()) {
+    EXPECT_TRUE(makeHomingMethod(name)) << name;
+  }
+}
 
 TEST(HomingMethods, unknownNameListsTheKnown)
 {
   EXPECT_THAT([] { makeHomingMethod("average landmark"); },
               testing::ThrowsMessage<ConfigError>(testing::AllOf(
-                  testing::HasSubstr("average landmark"), testing::HasSubstr("minwarping"))));
+                  testing::HasSubstr("average landmark"), testing::HasSubstr("minwarping"),
+                  testing::HasSubstr("combined"))));
 }
 
 TEST(ScaleSpaceHoming, refusesBadOptions)

@@ -2,6 +2,8 @@
 #include "program.h"
 #include "test_paths.h"
 
+#include <homeward/homing/homing_method.h>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -36,7 +38,7 @@ TEST_F(HomingProgram, homeFromAPictureToItselfIsNoTurn)
   const std::string picture = set() + "/day_00000.png";
   const std::string home = "home --current " + picture + " --snapshot " + picture + " --camera " +
                            set() + "/camera.yaml --json - --method ";
-  for (const char *method : {"minwarping", "hiss"}) {
+  for (const std::string &method : homingMethodNames()) {
     const ProgramRun run = runProgram(home + method);
     ASSERT_EQ(run.status, 0) << run.output;
     const json answer = json::parse(run.data);

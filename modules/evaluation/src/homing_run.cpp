@@ -4,6 +4,8 @@
 #include "parallel.h"
 
 #include <homeward/core/error.h>
+#include <homeward/homing/bearing_homing.h>
+#include <homeward/homing/homing_method.h>
 #include <homeward/homing/min_warping.h>
 #include <homeward/homing/scale_space_homing.h>
 #include <homeward/homing/visual_compass.h>
@@ -104,13 +106,24 @@ HomingAnswers runMinWarping(int columns, const HomingTask &task, int threads)
       });
 }
 
-HomingAnswers runScaleSpace(const HomingTask &task, int threads)
+/** A method whose views are prepared as ScaleSpaceView. */
+template <class Method> HomingAnswers runKeypoints(const HomingTask &task, int threads)
 {
-  const ScaleSpaceHoming method;
+  const Method method;
   return runMethod(
       task, threads, [&](const Panorama &panorama) { return method.prepare(panorama); },
       [&](const ScaleSpaceView &view, const ScaleSpaceView &home) {
         return method.match(view, home);
+      });
+}
+
+/** A method that prepares nothing: both views are made ready for every pair. */
+HomingAnswers runWhole(const std::string &name, const HomingTask &task, int threads)
+{
+  return runMethod(
+      task, threads, [](const Panorama &panorama) { return panorama; },
+      [&](const Panorama &view, const Panorama &home) {
+        return makeHomingMethod(name)->compute(view, home);
       });
 }
 
@@ -132,8 +145,16 @@ HomingAnswers runCompass(const CompassOptions &options, const HomingTask &task, 
 
 const std::vector<std::string> &homingMethods()
 {
-  static const std::vector<std::string> names{"minwarping-288", "minwarping-144", "minwarping-72",
-                                              "hiss",           "compass",        "edge-compass"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list{"minwarping-288", "minwarping-144", "minwarping-72"};
+    for (const std::string &name : homingMethodNames()) {
+      if (name != "minwarping") {
+        list.push_back(name);
+      }
+    }
+    list.insert(list.end(), {"compass", "edge-compass"});
+    return list;
+  }();
   return names;
 }
 
@@ -141,18 +162,27 @@ HomingAnswers runHoming(const std::string &method, const HomingTask &task, int t
 {
   const auto known = std::find(homingMethods().begin(), homingMethods().end(), method);
   if (known == homingMethods().end()) {
-    throw ConfigError("homing method '" + method + "' is unknown, use minwarping-288, " +
-                      "minwarping-144, minwarping-72, hiss, compass or edge-compass");
+    std::string names;
+    for (const std::string &name : homingMethods()) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    throw ConfigError("homing method '" + method + "' is unknown, use one of " + names);
   }
   HomingAnswers result;
   if (method == "hiss") {
-    result = runScaleSpace(task, threads);
+    result = runKeypoints<ScaleSpaceHoming>(task, threads);
+  }
+  else if (method == "bearing") {
+    result = runKeypoints<BearingHoming>(task, threads);
   }
   else if (method == "compass") {
     result = runCompass(kZeilCompass, task, threads);
   }
   else if (method == "edge-compass") {
     result = runCompass({}, task, threads);
+  }
+  else if (method.rfind("minwarping-", 0) != 0) {
+    result = runWhole(method, task, threads);
   }
   else {
     result = runMinWarping(std::stoi(method.substr(method.find('-') + 1)), task, threads);

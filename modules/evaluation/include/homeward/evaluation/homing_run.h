@@ -17,10 +17,17 @@ struct HomingAnswers
   std::string method;
   bool givesDirection = true;                     ///< a visual compass does not
   std::vector<std::optional<HomeVector>> answers; ///< in the order of the pairs
-  double milliseconds = 0.0; ///< of processor time to prepare a view and compare it, mean
+  /**
+   * Of processor time to prepare a view and compare it, mean; alv, did and combined prepare both
+   * views for each comparison.
+   */
+  double milliseconds = 0.0;
 };
 
-/** minwarping-288, minwarping-144, minwarping-72 (columns), hiss, compass, edge-compass. */
+/**
+ * minwarping-288, minwarping-144, minwarping-72 (columns), the other homingMethodNames(), compass,
+ * edge-compass.
+ */
 const std::vector<std::string> &homingMethods();
 
 /**

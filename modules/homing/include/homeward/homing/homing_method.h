@@ -6,12 +6,14 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace homeward
 {
 
-/** A way home from two panoramas, without a map or a compass. */
+/** A way home from two panoramas and nothing else: no map, no odometry. */
 class HomingMethod
 {
 public:
@@ -27,8 +29,15 @@ public:
 };
 
 /**
+ * What makeHomingMethod() knows: minwarping (MinWarping), hiss (ScaleSpaceHoming), bearing
+ * (BearingHoming), alv (AverageLandmarkVector), did (DescentInImageDistance), combined
+ * (CombinedHoming).
+ */
+const std::vector<std::string> &homingMethodNames();
+
+/**
  * A method with its default options.
- * @param name "minwarping" (MinWarping) or "hiss" (ScaleSpaceHoming)
+ * @param name one of homingMethodNames()
  * @throw ConfigError naming the known methods
  */
 std::unique_ptr<HomingMethod> makeHomingMethod(std::string_view name);
