@@ -42,6 +42,7 @@ const std::vector<std::string> &homingMethodNames()
 {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list;
+    list.reserve(kMethods.size());
     for (const NamedMethod &method : kMethods) {
       list.emplace_back(method.name);
     }
