@@ -107,9 +107,9 @@ HomingAnswers runMinWarping(int columns, const HomingTask &task, int threads)
 }
 
 /** A method whose views are prepared as ScaleSpaceView. */
-template <class Method> HomingAnswers runKeypoints(const HomingTask &task, int threads)
+template <class Method>
+HomingAnswers runKeypoints(const Method &method, const HomingTask &task, int threads)
 {
-  const Method method;
   return runMethod(
       task, threads, [&](const Panorama &panorama) { return method.prepare(panorama); },
       [&](const ScaleSpaceView &view, const ScaleSpaceView &home) {
@@ -152,7 +152,7 @@ const std::vector<std::string> &homingMethods()
         list.push_back(name);
       }
     }
-    list.insert(list.end(), {"compass", "edge-compass"});
+    list.insert(list.end(), {"hiss-published", "compass", "edge-compass"});
     return list;
   }();
   return names;
@@ -170,10 +170,15 @@ HomingAnswers runHoming(const std::string &method, const HomingTask &task, int t
   }
   HomingAnswers result;
   if (method == "hiss") {
-    result = runKeypoints<ScaleSpaceHoming>(task, threads);
+    result = runKeypoints(ScaleSpaceHoming(), task, threads);
+  }
+  else if (method == "hiss-published") {
+    ScaleSpaceOptions published;
+    published.published = true;
+    result = runKeypoints(ScaleSpaceHoming(published), task, threads);
   }
   else if (method == "bearing") {
-    result = runKeypoints<BearingHoming>(task, threads);
+    result = runKeypoints(BearingHoming(), task, threads);
   }
   else if (method == "compass") {
     result = runCompass(kZeilCompass, task, threads);
