@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "aligned_views.h"
 
-#include "panorama_check.h"
-
+#include <homeward/camera/gray_picture.h>
 #include <homeward/core/error.h>
 
 #include <opencv2/imgproc.hpp>

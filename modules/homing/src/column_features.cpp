@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/homing/column_features.h>
 
-#include "panorama_check.h"
-
+#include <homeward/camera/gray_picture.h>
 #include <homeward/core/error.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/homing/scale_space_homing.h>
 
-#include "panorama_check.h"
 #include "scale_matches.h"
 #include "upright_features.h"
 
+#include <homeward/camera/gray_picture.h>
 #include <homeward/core/error.h>
 
 #include <opencv2/features2d.hpp>

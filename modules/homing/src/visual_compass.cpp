@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/homing/visual_compass.h>
 
-#include "panorama_check.h"
 #include "parabola.h"
 
+#include <homeward/camera/gray_picture.h>
 #include <homeward/core/error.h>
 
 #include <opencv2/imgproc.hpp>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/servo/photometric_offset.h>
 
-#include "panorama_gray.h"
+#include "visible_mask.h"
 
+#include <homeward/camera/gray_picture.h>
 #include <homeward/core/error.h>
 
 #include <Eigen/Eigenvalues>
@@ -173,9 +174,9 @@ std::optional<PhotometricOffset> photometricOffset(const Panorama &current, cons
   if (!(current.geometry == stored.geometry)) {
     throw LogicError("photometric offset of two panoramas of different geometry");
   }
-  const Pair pair = reduced(
-      {grayOf(current), grayOf(stored), visibleMask(stored.geometry, visible), stored.geometry},
-      options.sphere);
+  const Pair pair = reduced({grayPicture(current), grayPicture(stored),
+                             visibleMask(stored.geometry, visible), stored.geometry},
+                            options.sphere);
   const PhotometricSphere sphere(pair.geometry, options.sphere);
   std::optional<Comparison> best = compare(pair, sphere, {});
   double damping = 1e-3;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/servo/photometric_sphere.h>
 
-#include "panorama_gray.h"
+#include "visible_mask.h"
 
+#include <homeward/camera/gray_picture.h>
 #include <homeward/core/error.h>
 
 #include <opencv2/imgproc.hpp>
@@ -182,7 +183,7 @@ std::optional<PhotometricSample> PhotometricSphere::measure(const Panorama &pano
   if (!(panorama.geometry == m_geometry)) {
     throw LogicError("panorama has another geometry than the sphere that measures it");
   }
-  const cv::Mat gray = grayOf(panorama);
+  const cv::Mat gray = grayPicture(panorama);
   const cv::Mat visible =
       alsoVisible.empty() ? m_visible : cv::Mat(m_visible & visibleMask(m_geometry, alsoVisible));
   Cells seen = cells(gray, innerPart(visible));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panorama_check.h"
+#include <homeward/camera/gray_picture.h>
 
 #include <homeward/core/error.h>
 
