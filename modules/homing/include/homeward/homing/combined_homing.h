@@ -19,9 +19,10 @@ struct CombinedHomingOptions
  *
  * Min-warping answers first; that is all where its confidence reaches `sure`. Otherwise the answer
  * is BearingHoming's if its confidence reaches `bearingSure`, else min-warping's (or nothing) as it
- * is. In the project's worlds min-warping is less sure than the default in a quarter of the pairs,
- * which then take the time of both, and bearings surer than the default are a degree off on
- * average, with no more than one in a thousand leading away from home.
+ * is. The defaults are set by the project's own worlds (laboratory, rooms, corridors; day, night,
+ * two lamps): min-warping is less sure than that in a quarter of the pairs, which then take the
+ * time of both; of 1733 answers by bearings at least that sure, half a degree off on average, one
+ * leads away from home. In rooms where both are unsure it is no better than min-warping.
  */
 class CombinedHoming : public HomingMethod
 {
