@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 #include "files.h"
-#include "mission_run.h"
+#include "mission_robot.h"
 #include "mission_setup.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
 #include <homeward/evaluation/mission_truth.h>
 #include <homeward/evaluation/truth_log.h>
-#include <homeward/homing/homing_method.h>
 #include <homeward/mission/explorer.h>
+#include <homeward/run/run_mission.h>
 
 #include <nlohmann/json.hpp>
 
@@ -26,10 +26,7 @@ struct ExploreArguments
 {
   RobotArguments robot;
   std::string map;
-  double forwardDistance = 2.0;
-  std::string homing = "minwarping";
-  double histogramThreshold = 0.0; ///< 0: places are verified
-  double maxTime = 1e5;
+  ExploreSettings settings;
   bool overwrite = false;
   bool resume = false;
   bool verbose = false;
@@ -45,9 +42,10 @@ public:
         m_robot(makeMissionRobot(arguments.robot,
                                  m_before ? std::optional(m_before->end) : std::nullopt)),
         m_devices(m_robot->devices()), m_begin(m_devices.clock.now()),
-        m_pilotOptions(explorationOptions()), m_file(openFile()),
-        m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera, m_pilotOptions,
-                stopSignal())
+        m_pilotOptions(
+            explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
+        m_file(openFile()), m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera,
+                                    m_pilotOptions, stopSignal())
   {
     if (const std::optional<SimulatedWorld> world = m_robot->world()) {
       beginTruth(*world);
@@ -61,8 +59,8 @@ public:
 
   Finish run()
   {
-    const Explorer explorer({.forwardDistance = m_arguments.forwardDistance});
-    const auto enough = [this] { return seconds() > m_arguments.maxTime; };
+    const Explorer explorer({.forwardDistance = m_arguments.settings.forwardDistance});
+    const auto enough = [this] { return seconds() > m_arguments.settings.maxTime; };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
     Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),
                                &m_file, m_devices.clock, m_counts, enough, onStep);
@@ -80,7 +78,7 @@ public:
     const double robotSeconds = seconds();
     const std::optional<Truth> truth = m_robot->truth();
     const double distance = truth ? truth->distance : m_pilot.travelled();
-    std::printf("%s: %s\n", name(finish.outcome).c_str(), finish.reason.c_str());
+    std::printf("%s: %s\n", name(finish.outcome), finish.reason.c_str());
     std::printf("nodes %zu, edges %zu, open directions %d, homings %d of %d arrived\n",
                 map.nodes().size(), map.edges().size(), map.openDirectionCount(),
                 m_counts.homingsArrived, m_counts.homingsTried);
@@ -121,17 +119,6 @@ private:
     return m_arguments.resume ? loadTruthLog(truthLogFile(m_arguments.map)) : std::nullopt;
   }
 
-  PilotOptions explorationOptions() const
-  {
-    PilotOptions options = pilotOptions(*m_robot, m_arguments.homing);
-    options.directions = openDirectionOptions(m_arguments.forwardDistance);
-    if (m_arguments.histogramThreshold > 0.0) {
-      options.places.recognition = Recognition::Histogram;
-      options.places.histogramThreshold = m_arguments.histogramThreshold;
-    }
-    return options;
-  }
-
   MapFile openFile() const
   {
     const MapHeader header = mapHeader(m_robot->files(), m_pilotOptions);
@@ -158,7 +145,7 @@ private:
     m_truth.robot = m_robot->files().robotFile;
     m_truth.light = world.light;
     m_truth.seed = world.seed;
-    m_truth.forwardDistance = m_arguments.forwardDistance;
+    m_truth.forwardDistance = m_arguments.settings.forwardDistance;
     if (!m_before) {
       m_truth.start = pose;
     }
@@ -169,7 +156,7 @@ private:
   {
     const MissionTruth judged =
         judgeMission(*m_robot->freeSpace(), m_truth.start.translation(), m_truth.nodes,
-                     m_file.map(), m_arguments.forwardDistance);
+                     m_file.map(), m_arguments.settings.forwardDistance);
     std::printf("collisions %d, contacts the laser cannot see %d\n", truth.collisions,
                 truth.unseenContacts);
     std::printf("truth: coverage %.1f %%, false edges %d, duplicate nodes %d\n",
@@ -260,20 +247,7 @@ void addExploreCommand(CliCommand app)
                    "          homeward explore --rig my_rig.yaml --map house.hwm");
   addRobotArguments(command, arguments->robot);
   command.option("--map", arguments->map, "Map file to write").required();
-  command.option("--forward-distance", arguments->forwardDistance, "Metres driven before looking")
-      .between(0.5, 20.0)
-      .showDefault();
-  command
-      .option("--homing", arguments->homing, "How the robot finds home by sight; hiss as the seed")
-      .oneOf(homingMethodNames())
-      .showDefault();
-  command
-      .option("--histogram-threshold", arguments->histogramThreshold,
-              "Recognise places by gray histograms up to this alone, as the seed (400 to 600)")
-      .between(1.0, 1e6);
-  command.option("--max-time", arguments->maxTime, "Seconds of robot time after which it stops")
-      .positive()
-      .showDefault();
+  addExploreSettings(command, arguments->settings);
   command.flag("--overwrite", arguments->overwrite, "Replace an existing map");
   command.flag("--resume", arguments->resume, "Go on with an existing map");
   command.flag("--verbose", arguments->verbose,

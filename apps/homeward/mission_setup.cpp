@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mission_setup.h"
 
+#include <homeward/homing/homing_method.h>
 #include <homeward/store/content_hash.h>
 
 #include <cstdio>
@@ -8,23 +9,6 @@
 
 namespace homeward
 {
-
-PilotOptions pilotOptions(const MissionRobot &robot, const std::string &homingMethod)
-{
-  constexpr double kPeriods = 3.0; // a device may miss two
-  const Rig &rig = robot.files().rig;
-  PilotOptions options;
-  options.motion.maxSpeed = rig.limits.maxSpeed;
-  options.motion.maxTurnRate = rig.limits.maxTurnRate;
-  options.homingMethod = homingMethod;
-  options.homing.waitForVision = !robot.runsByItself();
-  if (rig.devices) {
-    options.motion.baseSilence = kPeriods * rig.devices->base.period;
-    options.motion.laserSilence = kPeriods * rig.devices->laser.period;
-    options.motion.cameraSilence = kPeriods * rig.devices->capture.period;
-  }
-  return options;
-}
 
 OpenDirectionOptions openDirectionOptions(double forwardDistance)
 {
@@ -35,6 +19,50 @@ OpenDirectionOptions openDirectionOptions(double forwardDistance)
   options.openRangeCap = forwardDistance + 0.6;
   options.widestSegment = radians(80.0);
   options.count = 5;
+  return options;
+}
+
+PilotOptions pilotOptions(const Rig &rig, bool runsByItself, const std::string &homingMethod)
+{
+  constexpr double kPeriods = 3.0; // a device may miss two
+  PilotOptions options;
+  options.motion.maxSpeed = rig.limits.maxSpeed;
+  options.motion.maxTurnRate = rig.limits.maxTurnRate;
+  options.homingMethod = homingMethod;
+  options.homing.waitForVision = !runsByItself;
+  if (rig.devices) {
+    options.motion.baseSilence = kPeriods * rig.devices->base.period;
+    options.motion.laserSilence = kPeriods * rig.devices->laser.period;
+    options.motion.cameraSilence = kPeriods * rig.devices->capture.period;
+  }
+  return options;
+}
+
+void addExploreSettings(CliCommand command, ExploreSettings &settings)
+{
+  command.option("--forward-distance", settings.forwardDistance, "Metres driven before looking")
+      .between(0.5, 20.0)
+      .showDefault();
+  command.option("--homing", settings.homing, "How the robot finds home by sight; hiss as the seed")
+      .oneOf(homingMethodNames())
+      .showDefault();
+  command
+      .option("--histogram-threshold", settings.histogramThreshold,
+              "Recognise places by gray histograms up to this alone, as the seed (400 to 600)")
+      .between(1.0, 1e6);
+  command.option("--max-time", settings.maxTime, "Seconds of robot time after which it stops")
+      .positive()
+      .showDefault();
+}
+
+PilotOptions explorationOptions(const Rig &rig, bool runsByItself, const ExploreSettings &settings)
+{
+  PilotOptions options = pilotOptions(rig, runsByItself, settings.homing);
+  options.directions = openDirectionOptions(settings.forwardDistance);
+  if (settings.histogramThreshold > 0.0) {
+    options.places.recognition = Recognition::Histogram;
+    options.places.histogramThreshold = settings.histogramThreshold;
+  }
   return options;
 }
 
@@ -50,26 +78,6 @@ MapHeader mapHeader(const RobotFiles &robot, const PilotOptions &options)
   header.thresholds = {{"histogram_threshold", options.places.histogramThreshold},
                        {"sure_probability", kSureProbability}};
   return header;
-}
-
-void rememberAll(const MapFile &file, Pilot &pilot)
-{
-  for (const auto &[id, node] : file.map().nodes()) {
-    pilot.remember(id, file.panorama(id));
-  }
-}
-
-std::string name(Outcome outcome)
-{
-  switch (outcome) {
-  case Outcome::Done:
-    return "done";
-  case Outcome::Stopped:
-    return "stopped";
-  case Outcome::Failed:
-    break;
-  }
-  return "failed";
 }
 
 void showProgress(const std::string &line)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mission_robot.h"
+#include "command_line.h"
+#include "robot_files.h"
 
 #include <homeward/pilot/pilot.h>
 #include <homeward/store/map_file.h>
@@ -11,20 +12,32 @@
 namespace homeward
 {
 
-/** Settings of the pilot for a robot, with the homing method of the command line. */
-PilotOptions pilotOptions(const MissionRobot &robot, const std::string &homingMethod);
-
 /** What counts as an open direction when a drive is `forwardDistance` metres long. */
 OpenDirectionOptions openDirectionOptions(double forwardDistance);
 
+/**
+ * Settings of the pilot for a robot, with the homing method of the command line.
+ * @param runsByItself whether time goes on while nobody asks for it, as with real devices
+ */
+PilotOptions pilotOptions(const Rig &rig, bool runsByItself, const std::string &homingMethod);
+
+/** What the command line says of an exploration. */
+struct ExploreSettings
+{
+  double forwardDistance = 2.0; ///< metres
+  std::string homing = "minwarping";
+  double histogramThreshold = 0.0; ///< 0: places are verified
+  double maxTime = 1e5;            ///< s of robot time
+};
+
+/** `--forward-distance`, `--homing`, `--histogram-threshold` and `--max-time`. */
+void addExploreSettings(CliCommand command, ExploreSettings &settings);
+
+/** As pilotOptions(), for an exploration. */
+PilotOptions explorationOptions(const Rig &rig, bool runsByItself, const ExploreSettings &settings);
+
 /** What a map made with this robot and these settings says about itself. */
 MapHeader mapHeader(const RobotFiles &robot, const PilotOptions &options);
-
-/** Makes every place of a map known to the pilot by sight. */
-void rememberAll(const MapFile &file, Pilot &pilot);
-
-/** "done", "stopped" or "failed". */
-std::string name(Outcome outcome);
 
 /** Rewrites one status line on standard error; does nothing when that is no terminal. */
 void showProgress(const std::string &line);

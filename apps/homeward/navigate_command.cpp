@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 #include "files.h"
-#include "mission_run.h"
+#include "mission_robot.h"
 #include "mission_setup.h"
 #include "stop_signal.h"
 
@@ -10,6 +10,7 @@
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/homing/homing_method.h>
 #include <homeward/mission/navigator.h>
+#include <homeward/run/run_mission.h>
 
 #include <nlohmann/json.hpp>
 
@@ -79,7 +80,8 @@ int navigate(const NavigateArguments &arguments)
   const std::optional<TruthLog> log = loadTruthLog(truthLogFile(arguments.map));
   const std::unique_ptr<MissionRobot> robot =
       makeMissionRobot(arguments.robot, startPose(arguments, log));
-  const PilotOptions options = pilotOptions(*robot, arguments.homing);
+  const PilotOptions options =
+      pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
   const Devices devices = robot->devices();
   Pilot pilot(devices, robot->files().robot, robot->files().camera, options, stopSignal());
@@ -117,7 +119,7 @@ int navigate(const NavigateArguments &arguments)
   for (const NodeId node : visited) {
     json["path"].push_back(node.value);
   }
-  std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome).c_str(), finish.reason.c_str(),
+  std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
               seconds());
   const std::optional<Truth> truth = robot->truth();
   if (truth && log && log->nodes.contains(NodeId{arguments.to})) {

@@ -18,6 +18,9 @@ enum class Outcome
   Failed   ///< the reason says why it cannot go on
 };
 
+/** "done", "stopped" or "failed". */
+const char *name(Outcome outcome);
+
 /** Look around here: a panorama and the open directions of a full turn. Answer: Surveyed. */
 struct Survey
 {};

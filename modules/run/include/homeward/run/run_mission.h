@@ -6,9 +6,6 @@
 #include <homeward/robot/clock.h>
 #include <homeward/store/map_file.h>
 
-#include <functional>
-#include <variant>
-
 namespace homeward
 {
 
@@ -17,11 +14,27 @@ struct MissionCounts
 {
   int homingsTried = 0;
   int homingsArrived = 0;
+
+  /** Takes a report of the pilot into account. */
+  void note(const Report &report);
 };
 
+/** Makes every place of a map known to the pilot by sight. */
+void rememberAll(const MapFile &file, Pilot &pilot);
+
 /**
- * Runs a mission to its end: what a step changes is in the map file, in one transaction, before its
- * command goes to the pilot. A new node is known to the pilot by the picture as stored.
+ * Puts what a step changes into the map file, in one transaction with its log lines; a new node is
+ * known to the pilot by the picture as stored.
+ * @param map the one that the changes are for; the file's when there is one
+ * @param file open for writing, or null when the mission changes no map
+ * @param now robot time of the log lines
+ */
+void keepStep(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
+              Pilot &pilot, const TopologicalMap &map, MapFile *file, Time now);
+
+/**
+ * Runs a mission to its end: what a step changes is in the map file before its command goes to the
+ * pilot.
  * @param file open for writing, or null when the mission changes no map
  * @param enough asked after every command; true ends the mission as an interruption does
  * @param onStep called with every step after it was stored
@@ -32,33 +45,14 @@ Finish runMission(const Mission &mission, Step<typename Mission::State> step, Pi
                   MissionCounts &counts, Enough enough, OnStep onStep)
 {
   while (true) {
-    MapUpdate update;
-    update.changes = step.changes;
-    for (const std::string &line : step.log) {
-      update.log.push_back({toSeconds(clock.now()), line});
-    }
-    for (const MapChange &change : step.changes) {
-      if (const auto *added = std::get_if<NodeAdded>(&change)) {
-        update.view = NewView{added->node.id, encodeView(pilot.view())};
-      }
-    }
-    if (file != nullptr &&
-        (!update.changes.empty() || (!update.log.empty() && !map.nodes().empty()))) {
-      file->append(update);
-    }
-    if (update.view) {
-      pilot.remember(update.view->node, decodeView(update.view->bytes, pilot.view().geometry));
-    }
+    keepStep(step.changes, step.log, pilot, map, file, clock.now());
     onStep(step);
     if (const auto *finish = std::get_if<Finish>(&step.command)) {
       pilot.execute(step.command);
       return *finish;
     }
     const Report report = pilot.execute(step.command);
-    if (const auto *homed = std::get_if<Homed>(&report)) {
-      ++counts.homingsTried;
-      counts.homingsArrived += homed->end == HomingEnd::Arrived ? 1 : 0;
-    }
+    counts.note(report);
     step = mission.next(step.state, map, enough() ? Report(Interrupted{}) : report);
   }
 }
