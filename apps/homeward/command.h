@@ -22,6 +22,7 @@ void addEvaluateHomingCommand(CliCommand evaluate);
 void addEvaluateArrivalCommand(CliCommand evaluate);
 void addEvaluatePlacesCommand(CliCommand evaluate);
 void addEvaluateRowsCommand(CliCommand evaluate);
+void addEvaluateMissionCommand(CliCommand evaluate);
 void addDataSetCommand(CliCommand evaluate);
 
 } // namespace homeward

@@ -12,6 +12,7 @@ void addEvaluateCommand(CliCommand app)
   addEvaluateArrivalCommand(evaluate);
   addEvaluatePlacesCommand(evaluate);
   addEvaluateRowsCommand(evaluate);
+  addEvaluateMissionCommand(evaluate);
   addDataSetCommand(evaluate);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/evaluation/arrival_trials.h>
 
+#include "has_room.h"
 #include "median.h"
 
 #include <homeward/camera/rim.h>
@@ -59,21 +60,6 @@ public:
 private:
   Simulator &m_simulator;
 };
-
-/** Whether the robot can stand at a place and turn there: one that is wedged in cannot leave. */
-bool hasRoom(Simulator &simulator, const Pose2 &place)
-{
-  constexpr int kHeadings = 8;
-  try {
-    for (int i = 0; i < kHeadings; ++i) {
-      simulator.kidnap({place.x, place.y, wrapAngle(place.heading + i * 2.0 * kPi / kHeadings)});
-    }
-    return true;
-  }
-  catch (const ConfigError &) {
-    return false;
-  }
-}
 
 /** A start for each home that has one, in the order of the homes. */
 std::vector<std::pair<Pose2, Pose2>> homesAndStarts(Simulator &simulator,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/evaluation/mission_truth.h>
 
+#include <homeward/evaluation/coverage.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -17,14 +19,11 @@ using Places = std::map<NodeId, Pose2>;
 double coverageOf(const FreeSpace &space, const Eigen::Vector2d &start, const Places &nodes,
                   double reach)
 {
-  const std::vector<Eigen::Vector2d> cells = space.reachableCells(start);
-  const auto covered = std::count_if(cells.begin(), cells.end(), [&](const Eigen::Vector2d &cell) {
-    return std::any_of(nodes.begin(), nodes.end(), [&](const Places::value_type &node) {
-      const Eigen::Vector2d place = node.second.translation();
-      return (place - cell).norm() <= reach && space.sees(place, cell);
-    });
-  });
-  return cells.empty() ? 0.0 : static_cast<double>(covered) / static_cast<double>(cells.size());
+  CoverageMeter meter(space, start, reach);
+  for (const auto &[id, pose] : nodes) {
+    meter.add(pose.translation());
+  }
+  return meter.share();
 }
 
 bool falseEdge(const FreeSpace &space, const Places &nodes, const std::pair<NodeId, NodeId> &edge,
@@ -56,7 +55,7 @@ MissionTruth judgeMission(const FreeSpace &space, const Eigen::Vector2d &start, 
                           double forwardDistance)
 {
   MissionTruth truth;
-  truth.coverage = coverageOf(space, start, nodes, 1.5 * forwardDistance);
+  truth.coverage = coverageOf(space, start, nodes, coverageReach(forwardDistance));
   truth.falseEdges =
       static_cast<int>(std::count_if(edges.begin(), edges.end(), [&](const auto &edge) {
         return falseEdge(space, nodes, edge, 2.0 * forwardDistance + 1.0);

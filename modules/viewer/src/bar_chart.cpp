@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/viewer/bar_chart.h>
 
-#include "canvas.h"
+#include "chart_parts.h"
 
 #include <homeward/core/error.h>
 
 #include <algorithm>
-#include <array>
 
 namespace homeward
 {
@@ -21,26 +20,6 @@ constexpr double kTop = 50.0;
 constexpr double kHeight = 300.0;
 constexpr double kLegendLine = 20.0;
 constexpr double kText = 10.0;
-constexpr Colour kInk{40, 40, 40};
-constexpr Colour kRule{200, 200, 200};
-
-constexpr std::array<Colour, 12> kColours{{{78, 121, 167},
-                                           {242, 142, 43},
-                                           {225, 87, 89},
-                                           {118, 183, 178},
-                                           {89, 161, 79},
-                                           {237, 201, 72},
-                                           {176, 122, 161},
-                                           {255, 157, 167},
-                                           {156, 117, 95},
-                                           {186, 176, 172},
-                                           {30, 60, 120},
-                                           {120, 30, 60}}};
-
-Colour colourOf(std::size_t series)
-{
-  return kColours[series % kColours.size()];
-}
 
 void rectangle(Canvas &canvas, const Point &corner, const Point &size, Colour colour)
 {
@@ -64,16 +43,6 @@ void check(const BarChart &chart)
   }
 }
 
-void drawScale(Canvas &canvas, double width)
-{
-  for (int percent = 0; percent <= 100; percent += 20) {
-    const double y = kTop + kHeight * (1.0 - percent / 100.0);
-    canvas.line({{kLeft, y}, {width, y}}, {.stroke = kRule});
-    canvas.text({kLeft - 8.0, y + kText / 2.0}, std::to_string(percent) + " %", kText, kInk,
-                Anchor::Right);
-  }
-}
-
 } // namespace
 
 std::string barChartSvg(const BarChart &chart)
@@ -87,23 +56,23 @@ std::string barChartSvg(const BarChart &chart)
   SvgCanvas canvas(
       static_cast<int>(width),
       static_cast<int>(legend + kLegendLine * static_cast<double>(chart.series.size())));
-  canvas.text({kLeft, 28.0}, chart.title, 14.0, kInk, Anchor::Left);
-  drawScale(canvas, width - kGap / 2.0);
+  canvas.text({kLeft, 28.0}, chart.title, 14.0, kChartInk, Anchor::Left);
+  drawShareScale(canvas, kLeft, width - kGap / 2.0, kTop, kHeight);
   double x = kLeft + kGap / 2.0;
   for (const BarChart::Group &group : chart.groups) {
     for (std::size_t i = 0; i < group.values.size(); ++i) {
       const double height = kHeight * group.values[i];
       rectangle(canvas, {x + kBar * static_cast<double>(i), kTop + kHeight - height},
-                {kBar - 2.0, height}, colourOf(i));
+                {kBar - 2.0, height}, seriesColour(i));
     }
-    canvas.text({x + groupWidth / 2.0, kTop + kHeight + 20.0}, group.name, kText, kInk,
+    canvas.text({x + groupWidth / 2.0, kTop + kHeight + 20.0}, group.name, kText, kChartInk,
                 Anchor::Middle);
     x += groupWidth + kGap;
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const double y = legend + kLegendLine * static_cast<double>(i);
-    rectangle(canvas, {kLeft, y - kText}, {kText, kText}, colourOf(i));
-    canvas.text({kLeft + 18.0, y}, chart.series[i], kText, kInk, Anchor::Left);
+    rectangle(canvas, {kLeft, y - kText}, {kText, kText}, seriesColour(i));
+    canvas.text({kLeft + 18.0, y}, chart.series[i], kText, kChartInk, Anchor::Left);
   }
   return canvas.svg();
 }

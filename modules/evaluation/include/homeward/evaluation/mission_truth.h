@@ -24,6 +24,12 @@ struct MissionTruth
   int duplicateNodes = 0;
 };
 
+/** Metres that a node covers, in its sight. @param forwardDistance of the exploration, metres */
+inline double coverageReach(double forwardDistance)
+{
+  return 1.5 * forwardDistance;
+}
+
 /**
  * Judges a map by the truth.
  * @param space of the world that the robot explored

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mission_study.h"
+
+#include "files.h"
+
+#include <homeward/core/error.h>
+#include <homeward/evaluation/mission_trial_json.h>
+#include <homeward/store/content_hash.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace homeward
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/** "light: night, now day". */
+std::string firstDifference(const nlohmann::json &then, const nlohmann::json &now)
+{
+  for (const auto &[key, value] : now.items()) {
+    if (!then.contains(key) || then[key] != value) {
+      return key + ": " + (then.contains(key) ? then[key].dump() : "nothing") + ", now " +
+             value.dump();
+    }
+  }
+  return "more of them";
+}
+
+} // namespace
+
+std::vector<StudiedWorld> loadWorlds(const std::vector<std::string> &files)
+{
+  std::vector<StudiedWorld> worlds;
+  for (const std::string &file : files) {
+    StudiedWorld world;
+    world.name = fs::path(file).stem().string();
+    world.file = file;
+    world.content = contentHashText(readText(file, "world"));
+    if (std::any_of(worlds.begin(), worlds.end(),
+                    [&](const StudiedWorld &other) { return other.name == world.name; })) {
+      throw ConfigError("two worlds are called '" + world.name +
+                        "', and so would be their results; rename one or use two folders");
+    }
+    world.scene = std::make_shared<const Scene>(loadScene(file));
+    for (const std::string &problem : world.scene->problems) {
+      std::fprintf(stderr, "homeward: %s: %s\n", fs::path(file).filename().c_str(),
+                   problem.c_str());
+    }
+    worlds.push_back(std::move(world));
+  }
+  return worlds;
+}
+
+MissionStudy::MissionStudy(fs::path folder, nlohmann::json options)
+    : m_folder(std::move(folder)), m_options(std::move(options))
+{
+  std::error_code error;
+  fs::create_directories(m_folder, error);
+  if (error || !fs::is_directory(m_folder, error) || ::access(m_folder.c_str(), W_OK | X_OK) != 0) {
+    throw ConfigError("cannot write to the folder " + m_folder.string() +
+                      "; check its name and its permissions");
+  }
+}
+
+MissionTask MissionStudy::task(const StudiedWorld &world, std::uint64_t seed) const
+{
+  const fs::path map = m_folder / (world.name + "-" + std::to_string(seed) + ".hwm");
+  return {world.name, world.file, world.scene, seed, map};
+}
+
+std::optional<MissionTrial> MissionStudy::find(const StudiedWorld &world, std::uint64_t seed) const
+{
+  const std::string file = resultFile(world, seed);
+  if (!fs::exists(file)) {
+    return std::nullopt;
+  }
+  const std::string text = readText(file, "result");
+  MissionTrial trial;
+  try {
+    trial = parseMissionTrial(text);
+  }
+  catch (const ConfigError &error) {
+    throw ConfigError(file + " is " + error.what() + "; delete it or use another --out");
+  }
+  const nlohmann::json then =
+      nlohmann::json::parse(text).value("options", nlohmann::json::object());
+  const nlohmann::json now = optionsIn(world);
+  if (then != now) {
+    throw ConfigError(file + " was made with other options (" + firstDifference(then, now) +
+                      "); delete it or use another --out");
+  }
+  return trial;
+}
+
+void MissionStudy::keep(const StudiedWorld &world, const MissionTrial &trial) const
+{
+  nlohmann::json json = jsonHeader("evaluate mission");
+  json.update(nlohmann::json::parse(missionTrialJson(trial)));
+  json["options"] = optionsIn(world);
+  writeText(resultFile(world, trial.seed), json.dump(1) + "\n");
+}
+
+std::string MissionStudy::resultFile(const StudiedWorld &world, std::uint64_t seed) const
+{
+  return file(world.name + "-" + std::to_string(seed) + ".json");
+}
+
+nlohmann::json MissionStudy::optionsIn(const StudiedWorld &world) const
+{
+  nlohmann::json options = m_options;
+  options["world"] = world.content;
+  return options;
+}
+
+} // namespace homeward

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/evaluation/confidence.h>
+#include <homeward/evaluation/mission_trial.h>
+
+#include <vector>
+
+namespace homeward
+{
+
+/** Drives to nodes, together. */
+struct GoalSummary
+{
+  Share arrived;
+  std::size_t wronglyArrived = 0; ///< said so, and were elsewhere
+  double medianError = 0.0;       ///< metres, of those that arrived
+  double medianHeadingDeg = 0.0;  ///< degrees, of those that arrived
+  Mean seconds;                   ///< simulated, of those that arrived
+  int collisions = 0;
+  int unseenContacts = 0;
+
+  Share firstRight;           ///< knew at first where they were, and were there
+  std::size_t firstWrong = 0; ///< believed to know
+  std::size_t neverKnew = 0;  ///< said that they were lost
+  Mean secondsToKnow;         ///< simulated, of those that were right
+};
+
+/** Trials of one world, together. Shares of homings and drives pool the trials. */
+struct MissionSummary
+{
+  Share finished; ///< came to an end by themselves
+  Mean coverage;
+  double leastCoverage = 0.0; ///< of a trial
+  int falseEdges = 0;
+  int duplicateNodes = 0;
+  Mean nodes;
+  Share homings; ///< that arrived
+  int collisions = 0;
+  int unseenContacts = 0;
+  Mean distance;       ///< metres
+  Mean seconds;        ///< simulated
+  Mean oracleLength;   ///< metres
+  Mean distanceFactor; ///< distance driven over the oracle's; trials whose oracle stands are left
+                       ///< out
+  Mean secondsFactor;  ///< likewise, times
+  GoalSummary goals;
+  GoalSummary kidnappings;
+};
+
+GoalSummary summariseDrives(const std::vector<GoalDrive> &drives);
+
+MissionSummary summariseTrials(const std::vector<MissionTrial> &trials);
+
+} // namespace homeward

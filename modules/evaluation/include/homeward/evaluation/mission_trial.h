@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <homeward/evaluation/coverage.h>
+#include <homeward/evaluation/goal_drive.h>
+#include <homeward/evaluation/mission_truth.h>
+#include <homeward/evaluation/oracle_tour.h>
+#include <homeward/run/run_mission.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace homeward
+{
+
+/** What is tried, alike in every trial. */
+struct MissionTrialOptions
+{
+  RobotDescription robot;
+  std::string robotFile;                   ///< its URDF file, for the truth log
+  MirrorCamera camera;                     ///< nominal
+  PilotOptions exploring = {};             ///< settings of the pilot that explores
+  PilotOptions navigating = {};            ///< and of the one that drives to goals
+  MapHeader header = {};                   ///< of the map
+  double forwardDistance = 2.0;            ///< metres
+  double maxTime = 1e5;                    ///< simulated s after which the exploration stops
+  LightPreset light = LightPreset::Day;    ///< while it explores
+  LightPreset lightNow = LightPreset::Day; ///< while it drives to goals
+  std::size_t goals = 20;
+  std::size_t kidnappings = 0;
+  int threads = 1; ///< that render; the result does not depend on it
+};
+
+/** One of the worlds and seeds that are tried. */
+struct MissionTask
+{
+  std::string world;                  ///< its name
+  std::string worldFile;              ///< SDF file
+  std::shared_ptr<const Scene> scene; ///< of that file
+  std::uint64_t seed = 1;             ///< of optics, noise, slip, goals
+  std::filesystem::path map;          ///< to write, with its truth log; an older one is replaced
+};
+
+/** A whole exploration of one world and drives through the map, against the truth. */
+struct MissionTrial
+{
+  std::string world;
+  std::uint64_t seed = 0;
+
+  Outcome outcome = Outcome::Failed;
+  std::string reason;
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  int openDirections = 0; ///< left
+  MissionCounts homings;
+  int collisions = 0;
+  int unseenContacts = 0;
+  double distance = 0.0;    ///< driven exploring, metres
+  double seconds = 0.0;     ///< simulated, exploring
+  double wallSeconds = 0.0; ///< that the exploration took
+  MissionTruth truth;
+  std::vector<CoverageSample> coverage; ///< when each node was made
+
+  OracleTour oracle;
+  double oracleSeconds = 0.0; ///< its length at the robot's highest speed
+
+  std::vector<GoalDrive> goals;
+  std::vector<GoalDrive> kidnappings;
+  double allWallSeconds = 0.0; ///< that everything took
+};
+
+/**
+ * Explores a world in process, then drives through the map by another robot of the same kind: its
+ * optics, slip and noise are drawn from another seed. Task and options alone decide the result,
+ * but for the wall-clock times.
+ * @param stop set by anybody at any time: ends the trial
+ * @return nothing when it was stopped
+ * @throw ConfigError when the robot fits nowhere, StoreError when the map cannot be written
+ */
+std::optional<MissionTrial> runMissionTrial(const MissionTask &task,
+                                            const MissionTrialOptions &options,
+                                            const std::atomic<bool> &stop);
+
+/**
+ * Runs trials side by side, begun in order.
+ * @param jobs how many at a time
+ * @param done called with each trial that has come to its end, never two at a time
+ * @throw what a trial throws, after all others have come to their end
+ */
+void runMissionTrials(
+    const std::vector<MissionTask> &tasks, const MissionTrialOptions &options, int jobs,
+    const std::atomic<bool> &stop,
+    const std::function<void(const MissionTask &task, const MissionTrial &trial)> &done);
+
+} // namespace homeward
