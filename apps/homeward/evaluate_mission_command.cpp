@@ -106,7 +106,7 @@ std::vector<MissionTrial> finished(const MissionArguments &arguments, const Miss
   return trials;
 }
 
-void runMissing(const MissionArguments &arguments, const RobotFiles &files,
+void runMissing(const MissionArguments &arguments, const MissionTrialOptions &options,
                 const MissionStudy &study, const std::vector<StudiedWorld> &worlds)
 {
   std::vector<MissionTask> tasks;
@@ -124,12 +124,15 @@ void runMissing(const MissionArguments &arguments, const RobotFiles &files,
       }
     }
   }
+  if (tasks.empty()) {
+    return;
+  }
   std::size_t done = 0;
   const auto progress = [&] {
     showProgress("trial " + std::to_string(done + 1) + " of " + std::to_string(tasks.size()));
   };
   progress();
-  runMissionTrials(tasks, trialOptions(arguments, files), arguments.jobs, stopSignal(),
+  runMissionTrials(tasks, options, arguments.jobs, stopSignal(),
                    [&](const MissionTask &task, const MissionTrial &trial) {
                      study.keep(worldOf.at(task.world), trial);
                      endProgress();
@@ -157,12 +160,12 @@ int evaluateMission(const MissionArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
   const RobotFiles files = loadSimulatedRig(arguments.rig);
+  const MissionTrialOptions options = trialOptions(arguments, files);
   const std::vector<StudiedWorld> worlds = loadWorlds(
       arguments.worlds.empty() ? std::vector<std::string>{shippedFile("worlds/lab.sdf").string()}
                                : arguments.worlds);
-  trialOptions(arguments, files); // refuses what is wrong before there is a folder
   const MissionStudy study(arguments.out, studyOptions(arguments, files));
-  runMissing(arguments, files, study, worlds);
+  runMissing(arguments, options, study, worlds);
   if (stopSignal()) {
     std::printf("stopped; what has come to its end is in %s, the same command goes on\n",
                 arguments.out.c_str());

@@ -7,8 +7,8 @@
 #include <homeward/evaluation/mission_trial_json.h>
 #include <homeward/store/content_hash.h>
 
-#include <algorithm>
 #include <cstdio>
+#include <set>
 #include <unistd.h>
 
 namespace homeward
@@ -35,22 +35,21 @@ std::string firstDifference(const nlohmann::json &then, const nlohmann::json &no
 std::vector<StudiedWorld> loadWorlds(const std::vector<std::string> &files)
 {
   std::vector<StudiedWorld> worlds;
+  std::set<std::string> names;
   for (const std::string &file : files) {
-    StudiedWorld world;
-    world.name = fs::path(file).stem().string();
-    world.file = file;
-    world.content = contentHashText(readText(file, "world"));
-    if (std::any_of(worlds.begin(), worlds.end(),
-                    [&](const StudiedWorld &other) { return other.name == world.name; })) {
-      throw ConfigError("two worlds are called '" + world.name +
+    const std::string name = fs::path(file).stem().string();
+    if (!names.insert(name).second) {
+      throw ConfigError("two worlds are called '" + name +
                         "', and so would be their results; rename one or use two folders");
     }
-    world.scene = std::make_shared<const Scene>(loadScene(file));
+    worlds.push_back({name, file, contentHashText(readText(file, "world")), nullptr});
+  }
+  for (StudiedWorld &world : worlds) {
+    world.scene = std::make_shared<const Scene>(loadScene(world.file));
     for (const std::string &problem : world.scene->problems) {
-      std::fprintf(stderr, "homeward: %s: %s\n", fs::path(file).filename().c_str(),
+      std::fprintf(stderr, "homeward: %s: %s\n", fs::path(world.file).filename().c_str(),
                    problem.c_str());
     }
-    worlds.push_back(std::move(world));
   }
   return worlds;
 }

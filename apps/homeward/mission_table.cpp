@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <functional>
@@ -88,15 +89,21 @@ Figures explorationFigures()
 
 using Drives = GoalSummary MissionSummary::*;
 
+/** A figure of the drives that arrived. */
+std::string ifAny(const GoalSummary &drives, double value, int digits)
+{
+  return drives.arrived.successes == 0 ? "-" : number(value, digits);
+}
+
 Figures goalFigures(Drives drives)
 {
   using S = const MissionSummary &;
   return {
       {"goals reached", [=](S s) { return shown((s.*drives).arrived); }},
       {"  said so elsewhere", [=](S s) { return std::to_string((s.*drives).wronglyArrived); }},
-      {"  median error, m", [=](S s) { return number((s.*drives).medianError, 3); }},
+      {"  median error, m", [=](S s) { return ifAny(s.*drives, (s.*drives).medianError, 3); }},
       {"  median heading error, degrees",
-       [=](S s) { return number((s.*drives).medianHeadingDeg, 2); }},
+       [=](S s) { return ifAny(s.*drives, (s.*drives).medianHeadingDeg, 2); }},
       {"  time, s", [=](S s) { return shown((s.*drives).seconds, 0); }},
       {"  collisions", [=](S s) { return std::to_string((s.*drives).collisions); }},
       {"  unseen contacts", [=](S s) { return std::to_string((s.*drives).unseenContacts); }},

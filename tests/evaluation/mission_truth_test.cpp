@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../contract/test_room.h"
-#include "test_robot.h"
+#include "room_space.h"
 
 #include <homeward/evaluation/mission_truth.h>
 
@@ -15,23 +14,6 @@ using Edges = std::vector<std::pair<NodeId, NodeId>>;
 
 constexpr double kForward = 2.0; // metres
 const Eigen::Vector2d kStart(1.0, 1.0);
-
-// Two rooms of 4 m x 4 m, a wall at x = 4 with a door of 1 m at its upper end.
-//
-//   +------  ------+
-//   |              |
-//   |       |      |
-//   |       |      |
-//   +-------+------+
-FreeSpace twoRooms(float doorWidth = 1.0F)
-{
-  Scene scene = makeRoom(8.1F, 4.0F);
-  addBox(scene, {4.0F, 0.0F, 0.0F}, {4.1F, 4.0F - doorWidth, 2.5F});
-  const auto caster =
-      std::make_shared<const RayCaster>(share(std::move(scene)), RayCaster::Layer::Collision);
-  const auto map = std::make_shared<const CollisionMap>(*caster, testRobot());
-  return {map, FloorGrid(*map), caster, 0.9, kStart};
-}
 
 TEST(MissionTruth, aNodeInTheMiddleOfEachRoomCoversBoth)
 {

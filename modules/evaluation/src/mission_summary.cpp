@@ -105,6 +105,10 @@ MissionSummary summariseTrials(const std::vector<MissionTrial> &trials)
     summary.unseenContacts += trial.unseenContacts;
   }
   summary.coverage = meanOver(trials, [](const MissionTrial &t) { return t.truth.coverage; });
+  if (summary.coverage.interval) {
+    Interval &interval = *summary.coverage.interval;
+    interval = {std::max(0.0, interval.low), std::min(1.0, interval.high)};
+  }
   summary.nodes =
       meanOver(trials, [](const MissionTrial &t) { return static_cast<double>(t.nodes); });
   summary.distance = meanOver(trials, [](const MissionTrial &t) { return t.distance; });

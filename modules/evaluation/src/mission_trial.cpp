@@ -80,7 +80,7 @@ public:
   }
 
   /** Compares the map with the world. */
-  void judge(MissionTrial &trial) const
+  void judge(MissionTrial &trial)
   {
     const FreeSpace &space = m_simulator.freeSpace();
     const Eigen::Vector2d start = m_log.start.translation();
@@ -94,7 +94,7 @@ public:
   const TruthLog &log() const { return m_log; }
 
 private:
-  double seconds() const { return toSeconds(m_simulator.clock().now()); }
+  double seconds() { return toSeconds(m_simulator.clock().now()); }
 
   void follow(const Step<ExplorerState> &step)
   {
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  void measure(MissionTrial &trial) const
+  void measure(MissionTrial &trial)
   {
     const Truth truth = m_simulator.truth();
     const TopologicalMap &map = m_file.map();
@@ -122,7 +122,7 @@ private:
 
   const MissionTrialOptions &m_options;
   const std::atomic<bool> &m_stop;
-  mutable Simulator m_simulator; ///< its clock is no const one
+  Simulator m_simulator;
   MapFile m_file;
   TruthLog m_log;
   Pose2 m_viewTruth; ///< where the last survey's picture was taken
