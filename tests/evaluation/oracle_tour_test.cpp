@@ -92,9 +92,9 @@ TEST(OracleTour, anOrderIsNeverShorterThanTheBestAndSeldomMuchLonger)
   double sum = 0.0;
   constexpr int kTimes = 50;
   for (int i = 0; i < kTimes; ++i) {
-    std::vector<Eigen::Vector2d> points;
-    for (int j = 0; j < 7; ++j) {
-      points.emplace_back(random.uniform(0.0, 10.0), random.uniform(0.0, 10.0));
+    std::vector<Eigen::Vector2d> points(7);
+    for (Eigen::Vector2d &point : points) {
+      point = {random.uniform(0.0, 10.0), random.uniform(0.0, 10.0)};
     }
     const Eigen::MatrixXd lengths = distances(points);
     const std::vector<int> order = shortOpenTour(lengths);

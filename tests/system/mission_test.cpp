@@ -19,7 +19,7 @@ struct EvaluateMission : testing::Test
   std::string common() const
   {
     return "evaluate mission --worlds " + (dataDir() / "worlds/lab.sdf").string() +
-           " --max-time 20 --goals 1 ";
+           " --max-time 40 --goals 1 ";
   }
 
   json result(const std::string &name) const { return json::parse(fileText(folder / name)); }
@@ -78,6 +78,8 @@ TEST_F(EvaluateMission, goesOnAfterItWasKilledAndDoesNotDependOnJobs)
 
   const json summary = result("two/summary.json").at("worlds").at("lab");
   EXPECT_EQ(summary.at("runs"), 2);
+  EXPECT_EQ(summary.at("goals"), 2);
+  EXPECT_EQ(summary.at("reached"), 2);
   EXPECT_EQ(summary.at("coverage_min"),
             std::min(result("two/lab-1.json")["truth"]["coverage"].get<double>(),
                      result("two/lab-2.json")["truth"]["coverage"].get<double>()));
