@@ -60,11 +60,10 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
     }
     if (toSeconds(now - m_lastFree) > m_options.blockedSeconds ||
         toSeconds(now - m_gotOn) > m_options.headwaySeconds) {
-      if (!m_seen.empty() && m_seen.back().home.distanceProxy < m_options.besideProxy) {
+      if (beside()) {
         return ends(HomingEnd::Arrived);
       }
-      if (m_retreats++ == m_options.retreats ||
-          !(m_motion.retrace(m_options.retreat) || m_motion.backOut(m_options.backOut))) {
+      if (!getOut()) {
         return ends(HomingEnd::Blocked);
       }
       m_lastFree = m_motion.devices().clock.now();
@@ -184,6 +183,12 @@ Eigen::Vector2d HomingRun::rest() const
   return m_seen.empty() ? sum : Eigen::Vector2d(sum / static_cast<double>(m_seen.size()));
 }
 
+/** By the scale that the way here has told, for a distance proxy may be wrong. */
+bool HomingRun::beside() const
+{
+  return !m_seen.empty() && m_scale.metres() * rest().norm() < m_options.beside;
+}
+
 bool HomingRun::settled() const
 {
   return !m_aligned || rest().norm() < m_options.settledProxy;
@@ -216,6 +221,34 @@ void HomingRun::search()
     advance(std::atan2(mean.y(), mean.x()), m_options.searchStep, kSpeed);
     m_lastSeen = m_motion.devices().clock.now();
   }
+}
+
+/** Out of where nothing leads home: back first, then ahead, to see it from elsewhere. */
+bool HomingRun::getOut()
+{
+  if (m_retreats < m_options.retreats) {
+    ++m_retreats;
+    if (m_motion.retrace(m_options.retreat) || m_motion.backOut(m_options.backOut)) {
+      return true;
+    }
+  }
+  return m_detours++ < m_options.detours && goAhead();
+}
+
+bool HomingRun::goAhead()
+{
+  constexpr double kSpeed = 0.15;  // m/s
+  constexpr double kSeconds = 6.0; // at most
+  constexpr double kLeast = 0.15;  // metres that make it worth while
+  const Time begin = m_motion.devices().clock.now();
+  const double travelled = m_motion.travelled();
+  while (m_motion.travelled() - travelled < m_options.detour &&
+         toSeconds(m_motion.devices().clock.now() - begin) < kSeconds &&
+         m_motion.follow({kSpeed, 0.0}, 0.0) != LocalDrive::State::Blocked) {
+    m_motion.tick();
+  }
+  m_motion.stop();
+  return m_motion.travelled() - travelled > kLeast;
 }
 
 /** Straight ahead by odometry, as far as there is room. */

@@ -25,22 +25,24 @@ struct HomingRunOptions
   double nearProxy = 0.16;      ///< within it, a home vector that swings round says "passed it"
   int reversals = 3;            ///< farther away it must swing round so often on the same spot, ...
   double swingConfidence = 0.6; ///< ... and be so sure
-  double besideProxy = 0.12;    ///< within it, a place that nothing leads nearer to is reached
-  double minConfidence = 0.06;  ///< home vectors below say nothing
-  double lostSeconds = 8.0;     ///< s without a home vector that says something
-  int searches = 3;             ///< ... before which it goes where these point if they agree, ...
-  double searchStep = 0.6;      ///< metres at a time
-  double blockedSeconds = 3.0;  ///< s without a free way before it backs out, ...
-  double headway = 0.15;        ///< metres it must have moved ...
-  double headwaySeconds = 12.0; ///< ... within so many seconds; else it is blocked too
-  int retreats = 2;             ///< ... so many times, then it gives up
-  double retreat = 0.6;         ///< metres it backs out along the way it came
-  double backOut = 0.3;         ///< metres straight back, where it has come no way yet
-  double timeoutSeconds = 75.0; ///< s altogether
-  double settledProxy = 0.02;   ///< distance proxy of a place reached as well as can be
-  double settleSeconds = 20.0;  ///< s at most, to come from there to exactly there
-  int steps = 2;                ///< at most, by odometry, where it then still sees a way to go
-  double alignSeconds = 10.0;   ///< s at most, to turn as the place was seen
+  double beside = 0.3; ///< metres, reckoned; a place within that nothing leads nearer to is reached
+  double minConfidence = 0.06;    ///< home vectors below say nothing
+  double lostSeconds = 8.0;       ///< s without a home vector that says something
+  int searches = 3;               ///< ... before which it goes where these point if they agree, ...
+  double searchStep = 0.6;        ///< metres at a time
+  double blockedSeconds = 3.0;    ///< s without a free way before it backs out, ...
+  double headway = 0.15;          ///< metres it must have moved ...
+  double headwaySeconds = 12.0;   ///< ... within so many seconds; else it is blocked too
+  int retreats = 2;               ///< ... so many times, ...
+  int detours = 2;                ///< ... then goes on ahead instead so many times, then gives up
+  double retreat = 0.6;           ///< metres it backs out along the way it came
+  double detour = 0.6;            ///< metres ahead, wherever there is room
+  double backOut = 0.3;           ///< metres straight back, where it has come no way yet
+  double timeoutSeconds = 100.0;  ///< s altogether
+  double settledProxy = 0.02;     ///< distance proxy of a place reached as well as can be
+  double settleSeconds = 20.0;    ///< s at most, to come from there to exactly there
+  int steps = 2;                  ///< at most, by odometry, where it then still sees a way to go
+  double alignSeconds = 10.0;     ///< s at most, to turn as the place was seen
   double departureDistance = 1.5; ///< metres over which a known departure bearing is trusted
   /** A home vector that is late is waited for: the same run comes out on a slow machine. Only where
    * time stands still meanwhile, in simulation. */
@@ -97,8 +99,11 @@ private:
   void settle();
   void align();
   bool settled() const;
+  bool beside() const;
   void stepOver();
   void search();
+  bool getOut();
+  bool goAhead();
   void advance(double oBearing, double metres, double speed);
   Eigen::Vector2d rest() const; ///< way left, odometry frame, in distance proxies
   double oDirection(const Seen &seen) const;
@@ -128,6 +133,7 @@ private:
   int m_inside = 0;             ///< home vectors in a row that say "here"
   int m_reversals = 0;          ///< swings on the same spot
   int m_retreats = 0;
+  int m_detours = 0;
   bool m_settling = false; ///< distances are metres then: the way there has told their scale
   bool m_aligned = false;  ///< stands as the place was seen
 };
