@@ -60,6 +60,14 @@ TEST(MinWarping, aCoarserSearchOverFineColumnsPointsHome)
   EXPECT_THROW(MinWarping({.searchStep = 0}), LogicError);
 }
 
+TEST(MinWarping, thoroughSettingIsMoreAccurate)
+{
+  const SyntheticRoom room(21, 6.0, 5.0);
+  const RoomLight evening{.gain = 0.4, .slope = 0.5};
+  EXPECT_LT(meanError(MinWarping(kThoroughWarping), room, evening),
+            0.7 * meanError(MinWarping(), room, evening));
+}
+
 TEST(MinWarping, otherPlaceIsFarAndUnsure)
 {
   const SyntheticRoom here(21, 6.0, 5.0);

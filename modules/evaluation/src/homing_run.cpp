@@ -93,10 +93,15 @@ HomingAnswers runMethod(const HomingTask &task, int threads, const Prepare &prep
   return result;
 }
 
-HomingAnswers runMinWarping(int columns, const HomingTask &task, int threads)
+MinWarpingOptions withColumns(int columns)
 {
   MinWarpingOptions options;
   options.columns = columns;
+  return options;
+}
+
+HomingAnswers runMinWarping(const MinWarpingOptions &options, const HomingTask &task, int threads)
+{
   const MinWarping method(options);
   return runMethod(
       task, threads, [&](const Panorama &panorama) { return method.prepare(panorama); },
@@ -146,7 +151,8 @@ HomingAnswers runCompass(const CompassOptions &options, const HomingTask &task, 
 const std::vector<std::string> &homingMethods()
 {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> list{"minwarping-288", "minwarping-144", "minwarping-72"};
+    std::vector<std::string> list{"minwarping-thorough", "minwarping-288", "minwarping-144",
+                                  "minwarping-72"};
     for (const std::string &name : homingMethodNames()) {
       if (name != "minwarping") {
         list.push_back(name);
@@ -190,7 +196,9 @@ HomingAnswers runHoming(const std::string &method, const HomingTask &task, int t
     result = runWhole(method, task, threads);
   }
   else {
-    result = runMinWarping(std::stoi(method.substr(method.find('-') + 1)), task, threads);
+    const std::string setting = method.substr(method.find('-') + 1);
+    result = runMinWarping(
+        setting == "thorough" ? kThoroughWarping : withColumns(std::stoi(setting)), task, threads);
   }
   result.method = method;
   return result;

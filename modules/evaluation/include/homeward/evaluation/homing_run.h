@@ -25,8 +25,8 @@ struct HomingAnswers
 };
 
 /**
- * minwarping-288, minwarping-144, minwarping-72 (columns), the other homingMethodNames(),
- * hiss-published (cv::SIFT), compass, edge-compass.
+ * minwarping-thorough (kThoroughWarping), minwarping-288, minwarping-144, minwarping-72 (columns),
+ * the other homingMethodNames(), hiss-published (cv::SIFT), compass, edge-compass.
  */
 const std::vector<std::string> &homingMethods();
 
