@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,11 +52,17 @@ public:
     }
   }
 
-  std::vector<Cell> nodes;     ///< cell of each node, by id
-  bool lookAlike = false;      ///< every place looks like every other
-  int homingFailures = 0;      ///< homings still to fail
-  bool shortSighted = false;   ///< homes only to the place where it stands
-  std::vector<NodeId> homedTo; ///< every homing asked for
+  std::vector<Cell> nodes;        ///< cell of each node, by id
+  bool lookAlike = false;         ///< every place looks like every other
+  int homingFailures = 0;         ///< homings still to fail
+  bool shortSighted = false;      ///< homes only to the place where it stands
+  int blockedDrives = 0;          ///< drives still to be blocked at once
+  double besideProbability = 0.0; ///< with which a node is recognised from the cells beside it
+  std::optional<NodeId> impostor; ///< wherever no node is, it looks like this one
+  std::vector<NodeId> homedTo;    ///< every homing asked for
+  std::vector<NodeId> madeSureOf; ///< of these, those that were to make sure
+  std::vector<double> driven;     ///< bearings of the drives asked for
+  int surveys = 0;
 
 private:
   Chord chord() const
@@ -67,11 +74,12 @@ private:
 
   Report act(const Survey &)
   {
+    ++surveys;
     Surveyed report{{}, chord()};
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double bearing = wrapAngle(quarter * kPi / 2.0);
       if (isFree(neighbour(bearing))) {
-        report.directions.push_back({bearing, radians(60.0), 3.0});
+        report.directions.push_back({bearing, radians(60.0), range(bearing)});
       }
     }
     m_left = m_robot;
@@ -80,8 +88,10 @@ private:
 
   Report act(const DriveDirection &command)
   {
+    driven.push_back(command.bearing);
     const Cell next = neighbour(command.bearing);
-    const bool blocked = !isFree(next);
+    const bool blocked = !isFree(next) || blockedDrives > 0;
+    blockedDrives = std::max(0, blockedDrives - 1);
     if (!blocked) {
       m_robot = next;
     }
@@ -92,9 +102,16 @@ private:
   {
     Recognised report;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const NodeId node{static_cast<std::int64_t>(i)};
       if (lookAlike || nodes[i] == m_robot) {
-        report.matches.push_back({NodeId{static_cast<std::int64_t>(i)}, 1.0, true, 100.0});
+        report.matches.push_back({node, 1.0, true, 100.0});
       }
+      else if (besideProbability > 0.0 && beside(nodes[i])) {
+        report.matches.push_back({node, besideProbability, false, 300.0});
+      }
+    }
+    if (report.matches.empty() && impostor) {
+      report.matches.push_back({*impostor, 0.95, true, 100.0});
     }
     return report;
   }
@@ -102,7 +119,13 @@ private:
   Report act(const HomeTo &command)
   {
     homedTo.push_back(command.node);
+    if (command.surely) {
+      madeSureOf.push_back(command.node);
+    }
     const Cell target = nodes.at(static_cast<std::size_t>(command.node.value));
+    if (command.node == impostor && target != m_robot) {
+      return Homed{command.surely ? HomingEnd::Lost : HomingEnd::Arrived, chord()};
+    }
     if (homingFailures > 0 || (shortSighted && target != m_robot)) {
       homingFailures = std::max(0, homingFailures - 1);
       return Homed{HomingEnd::Lost, chord()};
@@ -114,6 +137,24 @@ private:
   }
 
   Report act(const Finish &) const { return Interrupted{}; }
+
+  /** How far one can go, in forward distances. */
+  double range(double bearing) const
+  {
+    const auto [column, row] = neighbour(bearing);
+    Cell cell = m_robot;
+    int cells = -1;
+    do {
+      cell = {cell.first + column - m_robot.first, cell.second + row - m_robot.second};
+      ++cells;
+    } while (isFree(cell));
+    return cells;
+  }
+
+  bool beside(Cell cell) const
+  {
+    return std::abs(cell.first - m_robot.first) + std::abs(cell.second - m_robot.second) == 1;
+  }
 
   Cell neighbour(double bearing) const
   {

@@ -95,6 +95,103 @@ TEST_F(NavigatorTest, SaysLostWhenNoPlaceCanBeReached)
   EXPECT_NE(finish.reason.find("lost"), std::string::npos);
 }
 
+TEST_F(NavigatorTest, MakesSureOfAPlaceOutOfNowhereButNotOfTheOneLeft)
+{
+  world.shortSighted = true;
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(last.visited, (std::vector<NodeId>{NodeId{0}, NodeId{0}, NodeId{1}}));
+  EXPECT_EQ(world.madeSureOf, std::vector<NodeId>{NodeId{0}});
+}
+
+/** The robot was put down where no node is; some of the world is drawn above each test. */
+struct PutDownTest : NavigatorTest
+{
+  /** Node 1 stands at `goal`, all others out of the world. */
+  void putDown(const std::vector<std::string> &rows, GridWorld::Cell robot, GridWorld::Cell goal)
+  {
+    world = GridWorld(rows, robot);
+    world.nodes.assign(map.nodes().size(), {-9, -9});
+    world.nodes[1] = goal;
+  }
+};
+
+TEST_F(PutDownTest, DrivesToAnUnlikelyPlaceAndMakesSureOfIt)
+{
+  putDown({".."}, {1, 0}, {0, 0});
+  world.besideProbability = 0.3;
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(world.madeSureOf, std::vector<NodeId>{NodeId{1}});
+  EXPECT_TRUE(world.driven.empty());
+}
+
+TEST_F(PutDownTest, DoesNotBelieveInAPlaceThatLooksAlike)
+{
+  putDown({".."}, {1, 0}, {-9, -9});
+  world.impostor = NodeId{0};
+  const Finish finish = navigate(NodeId{1});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_NE(finish.reason.find("lost"), std::string::npos);
+  EXPECT_TRUE(last.visited.empty());
+}
+
+TEST_F(PutDownTest, FindsItsPlaceBehindOneThatLooksAlike)
+{
+  putDown({"....."}, {3, 0}, {0, 0});
+  world.impostor = NodeId{0};
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(last.visited, std::vector<NodeId>{NodeId{1}});
+}
+
+// 1 . . r .
+TEST_F(PutDownTest, LooksElsewhereAlongTheMostOpenWayAndGoesStraightOn)
+{
+  putDown({"....."}, {3, 0}, {0, 0});
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(world.surveys, 1);
+  ASSERT_EQ(world.driven.size(), 3U);
+  EXPECT_NEAR(std::abs(world.driven.front()), kPi, 1e-6);
+  EXPECT_EQ(world.driven.front(), world.driven.back());
+}
+
+// . . r 1
+TEST_F(PutDownTest, TakesAnotherWayWhenOneIsBarred)
+{
+  putDown({"...."}, {2, 0}, {3, 0});
+  world.blockedDrives = 1;
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(world.surveys, 1);
+  ASSERT_EQ(world.driven.size(), 2U);
+  EXPECT_NEAR(world.driven.back(), 0.0, 1e-6);
+}
+
+// . . r . .
+//         .
+//         1
+TEST_F(PutDownTest, RatherGoesOnThanBack)
+{
+  putDown({".....", "    .", "    ."}, {2, 0}, {4, 2});
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(world.surveys, 2);
+  EXPECT_EQ(world.driven.size(), 5U); // two, one against the wall, two
+}
+
+TEST_F(PutDownTest, SaysLostWhenNoWayIsOpen)
+{
+  putDown({"."}, {0, 0}, {-9, -9});
+  const Finish finish = navigate(NodeId{1});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_NE(finish.reason.find("lost"), std::string::npos);
+}
+
+TEST_F(PutDownTest, SaysLostAfterManyLooks)
+{
+  putDown({"...", ". .", "..."}, {0, 0}, {-9, -9});
+  const Finish finish = navigate(NodeId{1});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_NE(finish.reason.find("lost"), std::string::npos);
+  EXPECT_GE(world.driven.size(), 10U);
+}
+
 TEST_F(NavigatorTest, RefusesAnUnknownGoal)
 {
   EXPECT_THROW(Navigator({}).start(map, NodeId{9}), LogicError);

@@ -3,10 +3,12 @@
 
 #include "mission_words.h"
 
+#include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 #include <homeward/topology/planner.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace homeward
@@ -36,18 +38,60 @@ public:
     m_step.command = Recognise{};
   }
 
-  /** Approaches the likeliest place; one that was approached in vain gives way to others. */
+  /** Approaches the likeliest place; where there is none, looks for one elsewhere. */
   void located(const Recognised &report)
   {
-    const std::optional<NodeId> place =
-        likeliestPlace(notInVain(report.matches, m_step.state.vain, m_options.approachTries));
+    NavigatorState &state = m_step.state;
+    const std::optional<NodeId> place = placeToTry(report.matches);
     if (!place) {
-      finish(Outcome::Failed, "lost: this view shows no known place");
+      search();
       return;
     }
-    m_step.state.phase = Phase::Approaching;
-    m_step.state.route = {*place};
-    m_step.command = HomeTo{*place, std::nullopt, *place == m_step.state.goal};
+    state.phase = Phase::Approaching;
+    state.route = {*place};
+    m_step.command = HomeTo{*place, std::nullopt, *place == state.goal, !reachable(*place)};
+  }
+
+  /** The most open ways first, but on rather than back. */
+  void surveyed(const Surveyed &report)
+  {
+    NavigatorState &state = m_step.state;
+    std::vector<OpenDirection> open = report.directions;
+    const bool again = state.surveyed;
+    const auto back = [&](const OpenDirection &way) {
+      return again && std::abs(wrapAngle(way.bearing - report.chord.bearingAtHere)) < kBack;
+    };
+    std::stable_sort(open.begin(), open.end(), [&](const auto &a, const auto &b) {
+      return back(a) != back(b) ? back(b) : a.range > b.range;
+    });
+    state.surveyed = true;
+    state.ways.clear();
+    for (const OpenDirection &way : open) {
+      state.ways.push_back(way.bearing);
+    }
+    if (state.ways.empty()) {
+      finish(Outcome::Failed, "lost: this view shows no known place, and no way is open");
+      return;
+    }
+    search();
+  }
+
+  /** Goes straight on the next time; what bars the way asks for another. */
+  void searched(const Driven &report)
+  {
+    std::vector<double> &ways = m_step.state.ways;
+    if (!report.blocked) {
+      ways.resize(1);
+      locate();
+      return;
+    }
+    ways.erase(ways.begin());
+    if (report.chord.distance < m_options.shortestSearch && !ways.empty()) {
+      search();
+      return;
+    }
+    ways.clear();
+    locate();
   }
 
   void approached(const Homed &report)
@@ -95,10 +139,52 @@ public:
   }
 
 private:
+  static constexpr double kBack = radians(60.0);
+
+  /** Drives along the next way, or finds out which there are. */
+  void search()
+  {
+    NavigatorState &state = m_step.state;
+    if (state.ways.empty()) {
+      state.phase = Phase::Surveying;
+      m_step.command = Survey{};
+      return;
+    }
+    state.phase = Phase::Searching;
+    m_step.command = DriveDirection{state.ways.front(), m_options.searchDistance};
+  }
+
+  /** The likeliest place, as far as what was tried in vain leaves it likely. */
+  std::optional<NodeId> placeToTry(const std::vector<PlaceMatch> &matches) const
+  {
+    std::optional<NodeId> best;
+    double highest = m_options.leastProbability;
+    for (const PlaceMatch &match : matches) {
+      const auto vain = m_step.state.vain.find(match.node);
+      const int times = vain == m_step.state.vain.end() ? 0 : vain->second;
+      const double probability = match.probability * std::pow(m_options.vainFactor, times);
+      if (probability > highest) {
+        highest = probability;
+        best = match.node;
+      }
+    }
+    return best;
+  }
+
+  /** Whether the ways say that the robot can be there. */
+  bool reachable(NodeId place) const
+  {
+    const std::optional<NodeId> &here = m_step.state.here;
+    return here && (*here == place || m_map.edgeBetween(*here, place));
+  }
+
   void stand(NodeId node)
   {
-    m_step.state.here = node;
-    m_step.state.visited.push_back(node);
+    NavigatorState &state = m_step.state;
+    state.here = node;
+    state.visited.push_back(node);
+    state.ways.clear();
+    state.surveyed = false;
   }
 
   void arrive()
@@ -184,6 +270,12 @@ Step<NavigatorState> Navigator::next(const State &state, const TopologicalMap &m
     break;
   case Phase::Approaching:
     stepper.approached(answer<Homed>(report));
+    break;
+  case Phase::Surveying:
+    stepper.surveyed(answer<Surveyed>(report));
+    break;
+  case Phase::Searching:
+    stepper.searched(answer<Driven>(report));
     break;
   case Phase::Striding:
     stepper.strode(answer<Driven>(report));

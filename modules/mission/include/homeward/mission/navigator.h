@@ -18,6 +18,8 @@ struct NavigatorState
   {
     Locating,    ///< which known place is this?
     Approaching, ///< to the place recognised
+    Surveying,   ///< nothing is recognised here: which ways are open?
+    Searching,   ///< along one of them, to look again elsewhere
     Following,   ///< the planned route
     Striding,    ///< along a leg as it was driven once, because sight alone did not do
     Finished
@@ -31,14 +33,20 @@ struct NavigatorState
   std::map<NodeId, int> vain;     ///< approaches that did not arrive
   std::map<EdgeId, int> failures; ///< legs that were not driven to their end
   int looks = 0;                  ///< times it had to find out where it is
+  /** To search along, the next first: radians from the heading at the last survey. */
+  std::vector<double> ways;
+  bool surveyed = false; ///< since it stood at a place
 };
 
 /** Settings of a navigation. */
 struct NavigatorOptions
 {
-  int legTries = 4;      ///< failures after which an edge is never planned over again
-  int approachTries = 2; ///< approaches in vain after which a place is no longer believed in
-  int maxLooks = 12;     ///< times to find out anew where the robot is before it says "lost"
+  int legTries = 4;  ///< failures after which an edge is never planned over again
+  int maxLooks = 16; ///< times to find out anew where the robot is before it says "lost"
+  double leastProbability = 0.2; ///< of a place, to drive there and make sure of it
+  double vainFactor = 0.3;       ///< of its probability that an approach in vain leaves
+  double searchDistance = 0.8;   ///< metres driven before looking again
+  double shortestSearch = 0.3;   ///< metres; the view from nearer by is the same
 };
 
 // clang-format off
@@ -48,10 +56,17 @@ struct NavigatorOptions
  *
  * | phase       | report     | next                                                                |
  * |-------------|------------|---------------------------------------------------------------------|
- * | Locating    | Recognised | Approaching the likeliest place; Finished (lost) when there is none |
+ * | Locating    | Recognised | Approaching the likeliest place; when there is none Searching       |
+ * |             |            | straight on, Surveying at first; Finished (lost) after many looks   |
  * | Approaching | Homed      | arrived: Following the shortest path; else Locating                 |
+ * | Surveying   | Surveyed   | Searching along the most open way; Finished (lost) when none is     |
+ * | Searching   | Driven     | Locating; blocked at once: Searching along the next way             |
  * | Following   | Homed      | arrived: next leg, Finished at the goal; else Locating              |
  * | Striding    | Driven     | Following the same leg, from where it stands now                    |
+ *
+ * Places look alike, and from a metre away the right one does not look sure. So an unlikely place is
+ * driven to as well, and it is believed in when sight there makes sure of it. Only of the node left
+ * and its neighbours it need not: the ways say already that the robot can be there.
  */
 // clang-format on
 class Navigator
