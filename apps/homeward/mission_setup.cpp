@@ -2,6 +2,7 @@
 #include "mission_setup.h"
 
 #include <homeward/homing/homing_method.h>
+#include <homeward/mission/navigator.h>
 #include <homeward/store/content_hash.h>
 
 #include <cstdio>
@@ -30,6 +31,7 @@ PilotOptions pilotOptions(const Rig &rig, bool runsByItself, const std::string &
   options.motion.maxTurnRate = rig.limits.maxTurnRate;
   options.homingMethod = homingMethod;
   options.homing.waitForVision = !runsByItself;
+  options.directions = openDirectionOptions(NavigatorOptions{}.searchDistance);
   if (rig.devices) {
     options.motion.baseSilence = kPeriods * rig.devices->base.period;
     options.motion.laserSilence = kPeriods * rig.devices->laser.period;

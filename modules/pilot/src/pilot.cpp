@@ -223,13 +223,14 @@ Report Pilot::run(const HomeTo &command)
     oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
   }
   HomingRun::Result result = homing.run(oDeparture, command.exactly);
+  std::optional<double> sure;
   if (command.surely && result.end == HomingEnd::Arrived) {
-    double sure = m_places.standingAt(command.node, look());
-    if (sure < m_options.leastSure && !command.exactly) {
+    sure = m_places.standingAt(command.node, look());
+    if (*sure < m_options.leastSure && !command.exactly) {
       result = homing.comeCloser();
       sure = m_places.standingAt(command.node, look());
     }
-    if (sure < m_options.leastSure) {
+    if (*sure < m_options.leastSure) {
       result.end = HomingEnd::Lost; // it looks alike
     }
   }
@@ -240,7 +241,12 @@ Report Pilot::run(const HomeTo &command)
     std::snprintf(text, sizeof text, "home to %lld: %s after %.1f m",
                   static_cast<long long>(command.node.value), name(result.end),
                   m_motion.travelled() - travelledBefore);
-    trace(text);
+    std::string line = text;
+    if (sure) {
+      std::snprintf(text, sizeof text, ", sure %.3f", *sure);
+      line += text;
+    }
+    trace(line);
   }
   if (result.end == HomingEnd::Arrived) {
     standAt(command.node, oMplace, m_motion.turned());
