@@ -49,7 +49,13 @@ public:
     }
     state.phase = Phase::Approaching;
     state.route = {*place};
-    m_step.command = HomeTo{*place, std::nullopt, *place == state.goal, !reachable(*place)};
+    HomeTo approach{*place, std::nullopt, *place == state.goal};
+    if (!reachable(*place)) {
+      approach.surely = true;
+      approach.closely = true;
+      approach.patience = m_options.approachSeconds;
+    }
+    m_step.command = approach;
   }
 
   /** The most open ways first, but on rather than back. */
@@ -81,6 +87,7 @@ public:
   {
     std::vector<double> &ways = m_step.state.ways;
     if (!report.blocked) {
+      forgive();
       ways.resize(1);
       locate();
       return;
@@ -98,7 +105,7 @@ public:
   {
     const NodeId place = m_step.state.route.front();
     if (report.end != HomingEnd::Arrived) {
-      ++m_step.state.vain[place];
+      m_step.state.vain[place] += report.end == HomingEnd::Lost ? kLooksAlike : 1;
       locate();
       return;
     }
@@ -140,6 +147,15 @@ public:
 
 private:
   static constexpr double kBack = radians(60.0);
+  static constexpr int kLooksAlike = 2; ///< approaches that were barred or took long
+
+  /** From elsewhere, what was not reached may be. */
+  void forgive()
+  {
+    for (auto &[node, times] : m_step.state.vain) {
+      times = std::max(0, times - 1);
+    }
+  }
 
   /** Drives along the next way, or finds out which there are. */
   void search()

@@ -209,7 +209,10 @@ Report Pilot::run(const HomeTo &command)
 {
   const Panorama &snapshot = m_places.snapshot(command.node);
   HomingServo servo(m_robot.rMp, {});
-  HomingRun homing(m_motion, servo, m_options.homing,
+  HomingRunOptions how = m_options.homing;
+  how.arrivedProxy = command.closely ? how.closeProxy : how.arrivedProxy;
+  how.timeoutSeconds = command.patience.value_or(how.timeoutSeconds);
+  HomingRun homing(m_motion, servo, how,
                    [this, &snapshot](const cv::Mat &picture) -> std::optional<HomeVector> {
                      Panorama current = m_unwarper.unwarp(picture);
                      if (current.image.channels() == 3) {

@@ -46,6 +46,10 @@ struct HomeTo
   bool exactly = false;
   /** Make sure that it is the node, not a place that looks alike; that is "lost". */
   bool surely = false;
+  /** Come closer than a leg of a way need: where the robot stands is not known but by this. */
+  bool closely = false;
+  /** Seconds after which it is given up; the pilot's own when not given. */
+  std::optional<double> patience = std::nullopt;
 };
 
 /** Stand still: the mission is over. */

@@ -30,7 +30,7 @@ struct NavigatorState
   std::optional<NodeId> here;     ///< the node stood at
   std::vector<NodeId> route;      ///< still to visit, the next first
   std::vector<NodeId> visited;    ///< stood at so far, in order
-  std::map<NodeId, int> vain;     ///< approaches that did not arrive
+  std::map<NodeId, int> vain;     ///< how much approaches that did not arrive speak against a place
   std::map<EdgeId, int> failures; ///< legs that were not driven to their end
   int looks = 0;                  ///< times it had to find out where it is
   /** To search along, the next first: radians from the heading at the last survey. */
@@ -44,7 +44,8 @@ struct NavigatorOptions
   int legTries = 4;  ///< failures after which an edge is never planned over again
   int maxLooks = 16; ///< times to find out anew where the robot is before it says "lost"
   double leastProbability = 0.2; ///< of a place, to drive there and make sure of it
-  double vainFactor = 0.3;       ///< of its probability that an approach in vain leaves
+  double vainFactor = 0.3;       ///< by which an approach in vain makes a place less probable
+  double approachSeconds = 25.0; ///< after which an approach is given up
   double searchDistance = 0.8;   ///< metres driven before looking again
   double shortestSearch = 0.3;   ///< metres; the view from nearer by is the same
 };

@@ -22,6 +22,7 @@ struct HomingRunOptions
   double visionLatency = 0.2;   ///< s from a picture to its home vector
   double commandSeconds = 1.5;  ///< s after which a home vector is too old to drive on
   double arrivedProxy = 0.08;   ///< distance proxy of a place reached
+  double closeProxy = 0.05;     ///< the same where it is to come closer
   double nearProxy = 0.16;      ///< within it, a home vector that swings round says "passed it"
   int reversals = 3;            ///< farther away it must swing round so often on the same spot, ...
   double swingConfidence = 0.6; ///< ... and be so sure
