@@ -56,6 +56,7 @@ public:
   bool lookAlike = false;         ///< every place looks like every other
   int homingFailures = 0;         ///< homings still to fail
   bool shortSighted = false;      ///< homes only to the place where it stands
+  int barredHomings = 0;          ///< homings still to be blocked
   int blockedDrives = 0;          ///< drives still to be blocked at once
   double besideProbability = 0.0; ///< with which a node is recognised from the cells beside it
   std::optional<NodeId> impostor; ///< wherever no node is, it looks like this one
@@ -125,6 +126,10 @@ private:
     const Cell target = nodes.at(static_cast<std::size_t>(command.node.value));
     if (command.node == impostor && target != m_robot) {
       return Homed{command.surely ? HomingEnd::Lost : HomingEnd::Arrived, chord()};
+    }
+    if (barredHomings > 0) {
+      --barredHomings;
+      return Homed{HomingEnd::Blocked, chord()};
     }
     if (homingFailures > 0 || (shortSighted && target != m_robot)) {
       homingFailures = std::max(0, homingFailures - 1);

@@ -134,6 +134,38 @@ TEST_F(PutDownTest, DoesNotBelieveInAPlaceThatLooksAlike)
   EXPECT_TRUE(last.visited.empty());
 }
 
+TEST_F(PutDownTest, ComesCloseToTheFirstPlaceAndIsNotPatient)
+{
+  const NavigatorOptions options{.approachSeconds = 17.0};
+  const Navigator navigator(options);
+  const auto step = navigator.start(map, NodeId{1});
+  const Recognised seen{{{NodeId{0}, 0.5, false, 200.0}}};
+  const auto approach = std::get<HomeTo>(navigator.next(step.state, map, seen).command);
+  EXPECT_TRUE(approach.closely);
+  EXPECT_EQ(approach.patience, 17.0);
+}
+
+// r, where node 1 is, and a place beside it
+TEST_F(PutDownTest, TriesAPlaceAgainThatWasBarred)
+{
+  putDown({".."}, {0, 0}, {0, 0});
+  world.barredHomings = 1;
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(world.homedTo, (std::vector<NodeId>{NodeId{1}, NodeId{1}}));
+  EXPECT_TRUE(world.driven.empty());
+}
+
+// 1 r .
+TEST_F(PutDownTest, BelievesAgainFromElsewhereInAPlaceThatWasNotReached)
+{
+  putDown({"..."}, {1, 0}, {0, 0});
+  world.besideProbability = 0.9;
+  world.homingFailures = 1;
+  EXPECT_EQ(navigate(NodeId{1}).outcome, Outcome::Done);
+  EXPECT_EQ(world.homedTo, (std::vector<NodeId>{NodeId{1}, NodeId{1}}));
+  EXPECT_EQ(world.driven.size(), 3U); // away, against the wall, back
+}
+
 TEST_F(PutDownTest, FindsItsPlaceBehindOneThatLooksAlike)
 {
   putDown({"....."}, {3, 0}, {0, 0});
