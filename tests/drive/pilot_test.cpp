@@ -294,6 +294,32 @@ TEST_F(SkiddingPilotTest, LearnsHowMuchFromWhatItSeesOfPlacesLeft)
   EXPECT_GT(untaught, radians(8.0)) << "or there was little to learn";
 }
 
+TEST_F(PilotTest, ArrivesByTheBoundAskedForAndGivesUpWhenItsPatienceEnds)
+{
+  const Pose2 home = simulator.truth().pose;
+  makeNode(NodeId{0});
+  ask<Driven>(DriveDirection{0.4, 1.0});
+  const Pose2 away = simulator.truth().pose;
+  PilotOptions options;
+  options.homing.closeProxy = 2.0; // everywhere, to tell the two bounds apart
+  Pilot other({simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
+              testRobot(), testCamera(), options, stop);
+  other.remember(NodeId{0}, pilot.view());
+  HomeTo command{NodeId{0}, std::nullopt};
+  const auto end = [&] {
+    simulator.kidnap(away);
+    return std::get<Homed>(other.execute(command)).end;
+  };
+  EXPECT_EQ(end(), HomingEnd::Arrived);
+  EXPECT_LT(distanceTo(home), 0.3);
+  command.closely = true;
+  EXPECT_EQ(end(), HomingEnd::Arrived);
+  EXPECT_GT(distanceTo(home), 0.6);
+  command.closely = false;
+  command.patience = 1.0;
+  EXPECT_EQ(end(), HomingEnd::TimedOut);
+}
+
 TEST_F(PilotTest, KnowsThePlaceAgainAndNoOther)
 {
   makeNode(NodeId{0});
