@@ -147,7 +147,8 @@ public:
 
 private:
   static constexpr double kBack = radians(60.0);
-  static constexpr int kLooksAlike = 2; ///< approaches that were barred or took long
+  static constexpr int kLooksAlike =
+      2; ///< so many barred ones an approach that ended "lost" counts as
 
   /** From elsewhere, what was not reached may be. */
   void forgive()
