@@ -89,7 +89,8 @@ std::optional<Extremum> refine(const std::array<cv::Mat, kLevels - 1> &d, int le
                                float least)
 {
   const auto at = [&](int dl, int dy, int dx) {
-    return d[static_cast<std::size_t>(level + dl)].at<float>(y + dy, x + dx);
+    const int plane = level + dl;
+    return d[static_cast<std::size_t>(plane)].at<float>(y + dy, x + dx);
   };
   const float value = at(0, 0, 0);
   const cv::Vec3f gradient((at(0, 0, 1) - at(0, 0, -1)) / 2.0F, (at(0, 1, 0) - at(0, -1, 0)) / 2.0F,
