@@ -14,7 +14,7 @@ namespace homeward
 namespace
 {
 
-/** Shows what the camera sees, or nothing but black. */
+/** Shows what the camera sees, or nothing but black, or half of it over-exposed or black. */
 class CoveredCamera : public ImageSource
 {
 public:
@@ -26,10 +26,15 @@ public:
     if (frame && covered) {
       frame->image = cv::Mat::zeros(frame->image.size(), frame->image.type());
     }
+    if (frame && damage) {
+      frame->image = frame->image.clone();
+      damage(frame->image);
+    }
     return frame;
   }
 
   bool covered = false;
+  std::function<void(cv::Mat &)> damage;
 
 private:
   ImageSource &m_camera;
@@ -352,6 +357,27 @@ TEST_F(PilotTest, IsLostAndStandsWhenTheCameraIsCovered)
   EXPECT_EQ(ask<Homed>(HomeTo{NodeId{0}, std::nullopt}).end, HomingEnd::Lost);
   EXPECT_LT(distanceTo(before), 0.05);
   EXPECT_NEAR(simulator.base().state().velocity.v, 0.0, 0.02);
+}
+
+TEST_F(PilotTest, HomesOrStandsWhenTheCameraIsDamaged)
+{
+  const Pose2 home = simulator.truth().pose;
+  makeNode(NodeId{0});
+  ask<Driven>(DriveDirection{0.4, 1.5});
+  const Pose2 before = simulator.truth().pose;
+  const std::vector<std::function<void(cv::Mat &)>> damages{
+      [](cv::Mat &image) { image.colRange(0, image.cols / 2).setTo(0); },
+      [](cv::Mat &image) { image = image * 6.0; },
+      [](cv::Mat &image) { cv::randu(image, cv::Scalar::all(0), cv::Scalar::all(256)); }};
+  for (const auto &damage : damages) {
+    simulator.kidnap(before);
+    camera.damage = damage;
+    const HomingEnd end = ask<Homed>(HomeTo{NodeId{0}, std::nullopt}).end;
+    EXPECT_LT(end == HomingEnd::Arrived ? distanceTo(home) : 0.0, 0.4);
+    std::printf("%s %.2f from home %.2f from start\n", name(end), distanceTo(home),
+                distanceTo(before));
+    EXPECT_NEAR(simulator.base().state().velocity.v, 0.0, 0.02);
+  }
 }
 
 TEST_F(PilotTest, AStopInterruptsADrive)

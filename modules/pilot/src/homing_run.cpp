@@ -98,8 +98,11 @@ void HomingRun::perceive()
       m_lastSeen = now;
       m_guesses.clear();
     }
-    else if (*result) {
-      m_guesses.push_back(oDirection({**result, m_pictureAt}));
+    else if (*result && (*result)->confidence >= m_options.leastGuess) {
+      m_guesses.push_back({**result, m_pictureAt});
+    }
+    else {
+      m_guesses.clear(); // a camera that shows next to nothing
     }
   }
   if (!m_worker.busy() && now >= m_nextPicture) {
@@ -206,17 +209,20 @@ void HomingRun::stepOver()
 void HomingRun::search()
 {
   constexpr std::size_t kGuesses = 6;
-  constexpr double kAgreement = 0.9; // length of the mean of their unit vectors
-  constexpr double kSpeed = 0.2;     // m/s
+  constexpr double kAgreement = 0.9;       // length of the mean of their unit vectors
+  constexpr double kMeanConfidence = 0.01; // of guesses that are worth a try
+  constexpr double kSpeed = 0.2;           // m/s
   if (m_guesses.size() < kGuesses || m_searches == m_options.searches) {
     return;
   }
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const double oGuess : m_guesses) {
-    mean += unit(oGuess) / static_cast<double>(m_guesses.size());
+  double confidence = 0.0;
+  for (const Seen &guess : m_guesses) {
+    mean += unit(oDirection(guess)) / static_cast<double>(m_guesses.size());
+    confidence += guess.home.confidence / static_cast<double>(m_guesses.size());
   }
   m_guesses.clear();
-  if (mean.norm() >= kAgreement) {
+  if (mean.norm() >= kAgreement && confidence >= kMeanConfidence) {
     ++m_searches;
     advance(std::atan2(mean.y(), mean.x()), m_options.searchStep, kSpeed);
     m_lastSeen = m_motion.devices().clock.now();

@@ -12,6 +12,18 @@
 
 namespace homeward
 {
+namespace
+{
+
+/** Whether so much of a gray picture is white that it says nothing of where it was taken. */
+bool overExposed(const cv::Mat &gray)
+{
+  constexpr int kWhite = 250;
+  constexpr double kMost = 0.3; // share of the picture
+  return cv::countNonZero(gray >= kWhite) > kMost * static_cast<double>(gray.total());
+}
+
+} // namespace
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
              const PilotOptions &options, const std::atomic<bool> &stop,
              std::unique_ptr<HomingMethod> homing)
@@ -217,6 +229,9 @@ Report Pilot::run(const HomeTo &command)
                      Panorama current = m_unwarper.unwarp(picture);
                      if (current.image.channels() == 3) {
                        cv::cvtColor(current.image, current.image, cv::COLOR_BGR2GRAY);
+                     }
+                     if (overExposed(current.image)) {
+                       return std::nullopt;
                      }
                      return m_homing->compute(current, snapshot);
                    });

@@ -29,7 +29,8 @@ struct HomingRunOptions
   double beside = 0.3; ///< metres, reckoned; a place within that nothing leads nearer to is reached
   double minConfidence = 0.06;    ///< home vectors below say nothing
   double lostSeconds = 8.0;       ///< s without a home vector that says something
-  int searches = 3;               ///< ... before which it goes where these point if they agree, ...
+  double leastGuess = 0.005;      ///< those from here on may point home when they agree: it goes on
+  int searches = 3;               ///< there, so many times before it is lost
   double searchStep = 0.6;        ///< metres at a time
   double blockedSeconds = 3.0;    ///< s without a free way before it backs out, ...
   double headway = 0.15;          ///< metres it must have moved ...
@@ -126,7 +127,7 @@ private:
   Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
   double m_startTravelled = 0.0;
   RangeScale m_scale;
-  std::vector<double> m_guesses; ///< directions that said nothing, odometry frame, since it stood
+  std::vector<Seen> m_guesses; ///< home vectors that are unsure, since it stood
   int m_searches = 0;
   std::optional<Swing> m_swing; ///< when the home vector last swung round
   double m_hereProxy;           ///< distance proxy that says "here"
