@@ -4,6 +4,7 @@
 #include "mission_setup.h"
 #include "mission_study.h"
 #include "mission_table.h"
+#include "recoveries.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
@@ -33,6 +34,8 @@ struct MissionArguments
   ExploreSettings settings;
   std::string light = "day";
   std::string lightNow; ///< empty: as light
+  std::string maps;     ///< folder of an earlier study, whose maps are driven through; may be empty
+  std::vector<std::string> without; ///< recoveries that are switched off
   std::size_t goals = 20;
   std::size_t kidnappings = 0;
   std::string json;
@@ -57,12 +60,13 @@ MissionTrialOptions trialOptions(const MissionArguments &arguments, const RobotF
   options.exploring = explorationOptions(files.rig, false, arguments.settings);
   options.navigating = pilotOptions(files.rig, false, arguments.settings.homing);
   options.header = mapHeader(files, options.exploring);
-  options.forwardDistance = arguments.settings.forwardDistance;
+  options.explorer = explorerOptions(arguments.settings);
   options.maxTime = arguments.settings.maxTime;
   options.light = parseLightPreset(arguments.light);
   options.lightNow = parseLightPreset(arguments.goalLight());
   options.goals = arguments.goals;
   options.kidnappings = arguments.kidnappings;
+  switchOff(arguments.without, options);
   return options;
 }
 
@@ -76,7 +80,10 @@ nlohmann::json studyOptions(const MissionArguments &arguments, const RobotFiles 
           {"forward_distance_m", arguments.settings.forwardDistance},
           {"homing", arguments.settings.homing},
           {"histogram_threshold", arguments.settings.histogramThreshold},
+          {"close_known", arguments.settings.closeKnown},
           {"max_time_s", arguments.settings.maxTime},
+          {"without", arguments.without},
+          {"maps", arguments.maps},
           {"light", arguments.light},
           {"light_now", arguments.goalLight()},
           {"goals", arguments.goals},
@@ -120,7 +127,7 @@ void runMissing(const MissionArguments &arguments, const MissionTrialOptions &op
                     static_cast<unsigned long long>(seed));
       }
       else {
-        tasks.push_back(study.task(world, seed));
+        tasks.push_back(study.task(world, seed, arguments.maps));
       }
     }
   }
@@ -212,6 +219,10 @@ void addEvaluateMissionCommand(CliCommand evaluate)
   command.option("--rig", arguments->rig, "Rig file: robot, camera, limits (YAML)");
   command.option("--light", arguments->light, "day, twilight, night or two_lamps").showDefault();
   command.option("--light-now", arguments->lightNow, "Light of the drives (default: as --light)");
+  command.option("--maps", arguments->maps,
+                 "Folder of an earlier evaluation: drive through its maps, explore nothing");
+  command.option("--without", arguments->without, "Recoveries to switch off, to count what they do")
+      .oneOf(recoveryNames());
   addExploreSettings(command, arguments->settings);
   command.json(arguments->json, "the summary");
   command.run([arguments] { return evaluateMission(*arguments); });

@@ -59,7 +59,7 @@ public:
 
   Finish run()
   {
-    const Explorer explorer({.forwardDistance = m_arguments.settings.forwardDistance});
+    const Explorer explorer(explorerOptions(m_arguments.settings));
     const auto enough = [this] { return seconds() > m_arguments.settings.maxTime; };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
     Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),

@@ -52,6 +52,8 @@ void addExploreSettings(CliCommand command, ExploreSettings &settings)
       .option("--histogram-threshold", settings.histogramThreshold,
               "Recognise places by gray histograms up to this alone, as the seed (400 to 600)")
       .between(1.0, 1e6);
+  command.flag("--close-known", settings.closeKnown,
+               "Do not drive to where, by the ways driven, there is a node already");
   command.option("--max-time", settings.maxTime, "Seconds of robot time after which it stops")
       .positive()
       .showDefault();
@@ -65,6 +67,15 @@ PilotOptions explorationOptions(const Rig &rig, bool runsByItself, const Explore
     options.places.recognition = Recognition::Histogram;
     options.places.histogramThreshold = settings.histogramThreshold;
   }
+  return options;
+}
+
+ExplorerOptions explorerOptions(const ExploreSettings &settings)
+{
+  constexpr double kCloseNear = 0.7; // metres
+  ExplorerOptions options;
+  options.forwardDistance = settings.forwardDistance;
+  options.closeNear = settings.closeKnown ? kCloseNear : 0.0;
   return options;
 }
 

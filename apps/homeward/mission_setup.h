@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "robot_files.h"
 
+#include <homeward/mission/explorer.h>
 #include <homeward/pilot/pilot.h>
 #include <homeward/store/map_file.h>
 
@@ -28,13 +29,17 @@ struct ExploreSettings
   std::string homing = "minwarping";
   double histogramThreshold = 0.0; ///< 0: places are verified
   double maxTime = 1e5;            ///< s of robot time
+  bool closeKnown = false;         ///< directions to where a node is are not driven
 };
 
-/** `--forward-distance`, `--homing`, `--histogram-threshold` and `--max-time`. */
+/** `--forward-distance`, `--homing`, `--histogram-threshold`, `--close-known`, `--max-time`. */
 void addExploreSettings(CliCommand command, ExploreSettings &settings);
 
 /** As pilotOptions(), for an exploration. */
 PilotOptions explorationOptions(const Rig &rig, bool runsByItself, const ExploreSettings &settings);
+
+/** Settings of the exploration itself. */
+ExplorerOptions explorerOptions(const ExploreSettings &settings);
 
 /** What a map made with this robot and these settings says about itself. */
 MapHeader mapHeader(const RobotFiles &robot, const PilotOptions &options);

@@ -30,6 +30,23 @@ std::string firstDifference(const nlohmann::json &then, const nlohmann::json &no
   return "more of them";
 }
 
+/** @throw ConfigError naming the file */
+MissionTrial parseResult(const std::string &file, const std::string &text)
+{
+  try {
+    return parseMissionTrial(text);
+  }
+  catch (const ConfigError &error) {
+    throw ConfigError(file + " is " + error.what() + "; delete it or use another folder");
+  }
+}
+
+/** What a result, known to be one, was made with. */
+nlohmann::json optionsOf(const std::string &text)
+{
+  return nlohmann::json::parse(text).value("options", nlohmann::json::object());
+}
+
 } // namespace
 
 std::vector<StudiedWorld> loadWorlds(const std::vector<std::string> &files)
@@ -65,10 +82,26 @@ MissionStudy::MissionStudy(fs::path folder, nlohmann::json options)
   }
 }
 
-MissionTask MissionStudy::task(const StudiedWorld &world, std::uint64_t seed) const
+MissionTask MissionStudy::task(const StudiedWorld &world, std::uint64_t seed,
+                               const fs::path &maps) const
 {
-  const fs::path map = m_folder / (world.name + "-" + std::to_string(seed) + ".hwm");
-  return {world.name, world.file, world.scene, seed, map};
+  const std::string map = resultName(world, seed) + ".hwm";
+  MissionTask task{world.name, world.file, world.scene, seed, m_folder / map};
+  if (maps.empty()) {
+    return task;
+  }
+  const std::string file = (maps / (resultName(world, seed) + ".json")).string();
+  if (!fs::exists(file)) {
+    throw ConfigError("there is no " + file + "; evaluate without --maps into that folder first");
+  }
+  const std::string text = readText(file, "result");
+  task.explored = std::make_shared<const MissionTrial>(parseResult(file, text));
+  const nlohmann::json then = optionsOf(text);
+  if (then.value("world", "") != world.content || then.value("rig", "") != m_options["rig"]) {
+    throw ConfigError(file + " was made with another world or rig; its map is not of this one");
+  }
+  task.map = maps / map;
+  return task;
 }
 
 std::optional<MissionTrial> MissionStudy::find(const StudiedWorld &world, std::uint64_t seed) const
@@ -78,15 +111,8 @@ std::optional<MissionTrial> MissionStudy::find(const StudiedWorld &world, std::u
     return std::nullopt;
   }
   const std::string text = readText(file, "result");
-  MissionTrial trial;
-  try {
-    trial = parseMissionTrial(text);
-  }
-  catch (const ConfigError &error) {
-    throw ConfigError(file + " is " + error.what() + "; delete it or use another --out");
-  }
-  const nlohmann::json then =
-      nlohmann::json::parse(text).value("options", nlohmann::json::object());
+  const MissionTrial trial = parseResult(file, text);
+  const nlohmann::json then = optionsOf(text);
   const nlohmann::json now = optionsIn(world);
   if (then != now) {
     throw ConfigError(file + " was made with other options (" + firstDifference(then, now) +
@@ -103,9 +129,14 @@ void MissionStudy::keep(const StudiedWorld &world, const MissionTrial &trial) co
   writeText(resultFile(world, trial.seed), json.dump(1) + "\n");
 }
 
+std::string MissionStudy::resultName(const StudiedWorld &world, std::uint64_t seed)
+{
+  return world.name + "-" + std::to_string(seed);
+}
+
 std::string MissionStudy::resultFile(const StudiedWorld &world, std::uint64_t seed) const
 {
-  return file(world.name + "-" + std::to_string(seed) + ".json");
+  return file(resultName(world, seed) + ".json");
 }
 
 nlohmann::json MissionStudy::optionsIn(const StudiedWorld &world) const

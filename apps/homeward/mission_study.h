@@ -43,8 +43,13 @@ public:
    */
   MissionStudy(std::filesystem::path folder, nlohmann::json options);
 
-  /** What is to be tried, kept in the folder. */
-  MissionTask task(const StudiedWorld &world, std::uint64_t seed) const;
+  /**
+   * What is to be tried, kept in the folder.
+   * @param maps folder of an earlier study whose map is driven through; empty: explore
+   * @throw ConfigError when it has no result of that world and seed, or a damaged one
+   */
+  MissionTask task(const StudiedWorld &world, std::uint64_t seed,
+                   const std::filesystem::path &maps = {}) const;
 
   /**
    * The result of a trial, if it has come to its end.
@@ -59,6 +64,7 @@ public:
   std::string file(const std::string &name) const { return (m_folder / name).string(); }
 
 private:
+  static std::string resultName(const StudiedWorld &world, std::uint64_t seed);
   std::string resultFile(const StudiedWorld &world, std::uint64_t seed) const;
   nlohmann::json optionsIn(const StudiedWorld &world) const;
 

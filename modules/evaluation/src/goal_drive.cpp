@@ -6,7 +6,6 @@
 #include <homeward/core/angle.h>
 #include <homeward/core/random.h>
 #include <homeward/evaluation/rendered_views.h>
-#include <homeward/mission/navigator.h>
 #include <homeward/run/run_mission.h>
 
 #include <algorithm>
@@ -50,7 +49,7 @@ GoalDrive drive(const GoalDriver &driver, const MapFile &file, const TruthLog &t
   Pilot pilot({simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
               driver.robot, driver.camera, driver.pilot, stop);
   rememberAll(file, pilot);
-  const Navigator navigator({});
+  const Navigator navigator(driver.navigator);
   const auto enough = [&] { return seconds() > driver.maxTime; };
   const auto onStep = [&](const Step<NavigatorState> &step) {
     if (!drive.first && !step.state.visited.empty()) {

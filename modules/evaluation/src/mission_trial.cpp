@@ -3,8 +3,8 @@
 
 #include "parallel.h"
 
+#include <homeward/core/error.h>
 #include <homeward/core/random.h>
-#include <homeward/mission/explorer.h>
 
 #include <chrono>
 #include <mutex>
@@ -53,7 +53,7 @@ public:
     m_log.robot = options.robotFile;
     m_log.light = std::string(name(options.light));
     m_log.seed = task.seed;
-    m_log.forwardDistance = options.forwardDistance;
+    m_log.forwardDistance = options.explorer.forwardDistance;
     m_log.start = m_simulator.truth().pose;
   }
 
@@ -64,7 +64,7 @@ public:
         {m_simulator.clock(), m_simulator.base(), m_simulator.laser(), m_simulator.camera()},
         m_options.robot, m_options.camera, m_options.exploring, m_stop);
     pilot.onView = [this] { m_viewTruth = m_simulator.truth().pose; };
-    const Explorer explorer({.forwardDistance = m_options.forwardDistance});
+    const Explorer explorer(m_options.explorer);
     const auto enough = [this] { return seconds() > m_options.maxTime; };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
     const Finish finish = runMission(explorer, explorer.start(m_file.map()), pilot, m_file.map(),
@@ -84,8 +84,9 @@ public:
   {
     const FreeSpace &space = m_simulator.freeSpace();
     const Eigen::Vector2d start = m_log.start.translation();
-    const double reach = coverageReach(m_options.forwardDistance);
-    trial.truth = judgeMission(space, start, m_log.nodes, m_file.map(), m_options.forwardDistance);
+    const double reach = coverageReach(m_options.explorer.forwardDistance);
+    trial.truth =
+        judgeMission(space, start, m_log.nodes, m_file.map(), m_options.explorer.forwardDistance);
     trial.coverage = coverageOverTime(space, start, m_made, reach);
     trial.oracle = oracleTour(space, start, reach);
     trial.oracleSeconds = trial.oracle.length / m_options.exploring.motion.maxSpeed;
@@ -137,10 +138,22 @@ void driveThrough(const MissionTask &task, const MissionTrialOptions &options, c
   how.start = log.start;
   Simulator simulator(task.scene, options.robot, options.camera, how);
   const MapFile file = MapFile::open(task.map, MapFile::Access::Read);
-  const GoalDriver driver{simulator, options.robot, options.camera, options.navigating};
+  const GoalDriver driver{simulator, options.robot, options.camera, options.navigating,
+                          options.navigator};
   trial.goals = driveToGoals(driver, file, log, options.goals, task.seed, stop);
   trial.kidnappings =
       driveAfterKidnappings(driver, file, log, options.kidnappings, task.seed, stop);
+}
+
+TruthLog exploredBefore(const MissionTask &task)
+{
+  const std::filesystem::path file = truthLogFile(task.map);
+  std::optional<TruthLog> log = loadTruthLog(file);
+  if (!log) {
+    throw ConfigError("there is no " + file.string() + ", which says where the nodes of " +
+                      task.map.string() + " truly are; explore again");
+  }
+  return *log;
 }
 
 } // namespace
@@ -151,10 +164,14 @@ std::optional<MissionTrial> runMissionTrial(const MissionTask &task,
 {
   const Stopwatch watch;
   MissionTrial trial;
-  trial.world = task.world;
-  trial.seed = task.seed;
   TruthLog log;
-  {
+  if (task.explored) {
+    trial = *task.explored;
+    log = exploredBefore(task);
+  }
+  else {
+    trial.world = task.world;
+    trial.seed = task.seed;
     Exploration exploration(task, options, stop);
     exploration.run(trial);
     trial.wallSeconds = watch.seconds();

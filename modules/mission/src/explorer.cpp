@@ -94,7 +94,7 @@ public:
       connect(target, report.chord);
       leave(target);
     }
-    else if (state.retries++ == 0) {
+    else if (++state.retries < m_options.homingTries) {
       ++state.vain[target];
       ask(Phase::Classifying, Recognise{});
     }
@@ -130,7 +130,12 @@ public:
     }
     state.chord = report.chord;
     ++state.vain[state.route.front()];
-    ask(Phase::Relocating, Recognise{});
+    if (m_options.relocates) {
+      ask(Phase::Relocating, Recognise{});
+    }
+    else {
+      survey();
+    }
   }
 
   void relocated(const Recognised &report)
@@ -347,6 +352,7 @@ private:
                                   " nodes; places are not recognised again");
       return;
     }
+    closeKnown(node);
     for (const Direction &direction : m_map.node(node).directions) {
       if (direction.state == DirectionState::Open) {
         state.direction = direction.id;
@@ -378,6 +384,7 @@ private:
         ask(Phase::Relocating, Recognise{});
         return;
       }
+      closeUnreachable();
       finish(Outcome::Done, "no reachable node has an open direction");
       return;
     }
@@ -385,6 +392,52 @@ private:
     m_step.log.push_back(routeLine("Path planning", *path));
     state.route.assign(path->begin() + 1, path->end());
     followRoute();
+  }
+
+  /** So that whoever reads the map knows why nobody has driven there. */
+  void closeUnreachable()
+  {
+    const std::map<NodeId, Node> nodes = m_map.nodes();
+    for (const auto &[id, node] : nodes) {
+      for (const Direction &direction : node.directions) {
+        if (direction.state == DirectionState::Open) {
+          change(DirectionSettled{id, direction.id, DirectionState::Closed, "unreachable"});
+        }
+      }
+    }
+  }
+
+  /** Closes the directions of the node stood at that lead to where there is a node already. */
+  void closeKnown(NodeId node)
+  {
+    if (m_options.closeNear <= 0.0) {
+      return;
+    }
+    const std::vector<Direction> directions = m_map.node(node).directions;
+    for (const Direction &direction : directions) {
+      const auto known = direction.state == DirectionState::Open
+                             ? nodeWhere(node, direction.bearing)
+                             : std::nullopt;
+      if (known) {
+        change(DirectionSettled{node, direction.id, DirectionState::Closed,
+                                "node " + std::to_string(known->value) + " is there"});
+      }
+    }
+  }
+
+  /** The node where a drive from `node` would end, by ways short enough to be sure of it. */
+  std::optional<NodeId> nodeWhere(NodeId node, double bearing) const
+  {
+    const Eigen::Vector2d end =
+        m_options.forwardDistance * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+    for (const auto &[other, unused] : m_map.nodes()) {
+      const auto there = other == node ? std::nullopt : reckon(m_map, node, other);
+      if (there && m_options.reckoningError * there->length < m_options.surelyBeyond &&
+          (there->fromMto.translation() - end).norm() < m_options.closeNear) {
+        return other;
+      }
+    }
+    return std::nullopt;
   }
 
   void followRoute()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <homeward/evaluation/truth_log.h>
-#include <homeward/mission/command.h>
+#include <homeward/mission/navigator.h>
 #include <homeward/pilot/pilot.h>
 #include <homeward/sim/simulator.h>
 #include <homeward/store/map_file.h>
@@ -53,6 +53,7 @@ struct GoalDriver
   const RobotDescription &robot;
   const MirrorCamera &camera; ///< nominal, what the robot believes of it
   const PilotOptions &pilot;
+  const NavigatorOptions &navigator;
   double maxTime = 3600.0; ///< simulated s after which a drive is given up
 };
 

@@ -5,6 +5,8 @@
 #include <homeward/evaluation/goal_drive.h>
 #include <homeward/evaluation/mission_truth.h>
 #include <homeward/evaluation/oracle_tour.h>
+#include <homeward/mission/explorer.h>
+#include <homeward/mission/navigator.h>
 #include <homeward/run/run_mission.h>
 
 #include <filesystem>
@@ -18,12 +20,13 @@ namespace homeward
 struct MissionTrialOptions
 {
   RobotDescription robot;
-  std::string robotFile;                   ///< its URDF file, for the truth log
-  MirrorCamera camera;                     ///< nominal
-  PilotOptions exploring = {};             ///< settings of the pilot that explores
-  PilotOptions navigating = {};            ///< and of the one that drives to goals
-  MapHeader header = {};                   ///< of the map
-  double forwardDistance = 2.0;            ///< metres
+  std::string robotFile;        ///< its URDF file, for the truth log
+  MirrorCamera camera;          ///< nominal
+  PilotOptions exploring = {};  ///< settings of the pilot that explores
+  PilotOptions navigating = {}; ///< and of the one that drives to goals
+  MapHeader header = {};        ///< of the map
+  ExplorerOptions explorer = {};
+  NavigatorOptions navigator = {};
   double maxTime = 1e5;                    ///< simulated s after which the exploration stops
   LightPreset light = LightPreset::Day;    ///< while it explores
   LightPreset lightNow = LightPreset::Day; ///< while it drives to goals
@@ -31,6 +34,8 @@ struct MissionTrialOptions
   std::size_t kidnappings = 0;
   int threads = 1; ///< that render; the result does not depend on it
 };
+
+struct MissionTrial;
 
 /** One of the worlds and seeds that are tried. */
 struct MissionTask
@@ -40,6 +45,8 @@ struct MissionTask
   std::shared_ptr<const Scene> scene; ///< of that file
   std::uint64_t seed = 1;             ///< of optics, noise, slip, goals
   std::filesystem::path map;          ///< to write, with its truth log; an older one is replaced
+  /** What exploring `map` came to, when that was done before: it is left as it is. */
+  std::shared_ptr<const MissionTrial> explored = nullptr;
 };
 
 /** A whole exploration of one world and drives through the map, against the truth. */
@@ -76,7 +83,8 @@ struct MissionTrial
  * but for the wall-clock times.
  * @param stop set by anybody at any time: ends the trial
  * @return nothing when it was stopped
- * @throw ConfigError when the robot fits nowhere, StoreError when the map cannot be written
+ * @throw ConfigError when the robot fits nowhere or the map explored before has no truth log,
+ * StoreError when the map cannot be written
  */
 std::optional<MissionTrial> runMissionTrial(const MissionTask &task,
                                             const MissionTrialOptions &options,

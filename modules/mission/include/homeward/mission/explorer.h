@@ -51,7 +51,12 @@ struct ExplorerOptions
    * behaviour. */
   double settledAngle = 0.6;
   int directionTries = 2; ///< drives without an edge after which a direction is given up
-  int legTries = 4;       ///< failures after which an edge is never planned over again
+  /** Metres: a direction is closed without being driven when so near to where it leads there is a
+   * node that the ways tell surely enough; 0: every direction is driven, as the seed does. */
+  double closeNear = 0.0;
+  int homingTries = 2;   ///< times to home to a recognised place before the way there is given up
+  bool relocates = true; ///< look for a known place where a leg failed, else make a new one there
+  int legTries = 4;      ///< failures after which an edge is never planned over again
   int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
   int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
 
