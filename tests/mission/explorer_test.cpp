@@ -183,6 +183,35 @@ TEST(Explorer, WeighsWhatItSeesWithTheWaysDriven)
   EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen({NodeId{1}, 0.7, false, 10.0})));
 }
 
+//  0 - 1 - 2, a metre apart; the robot has driven back from 2 to half a metre off 1.
+TEST(Explorer, MakesSureOfAPlaceThatOnlyTheWaysHaveHere)
+{
+  Row row;
+  row.report = {false, {0.6, 0.6, kPi, 0.0}};
+  const PlaceMatch doubted{NodeId{1}, 0.15, false, 10.0};
+  const Command command = row.whenSeen(doubted);
+  ASSERT_TRUE(std::holds_alternative<HomeTo>(command));
+  EXPECT_TRUE(std::get<HomeTo>(command).surely);
+  row.report = {false, {0.8, 0.8, 0.0, kPi}};
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen(doubted)));
+}
+
+TEST(Explorer, GoesBackToThePlaceLeftWhereALegFailedBesideIt)
+{
+  Row row;
+  row.state.phase = ExplorerState::Phase::Following;
+  row.state.route = {NodeId{1}};
+  row.state.target = NodeId{1};
+  const Explorer explorer(oneMetre());
+  const auto afterLegOf = [&](double metres) {
+    const auto step =
+        explorer.next(row.state, row.map, Homed{HomingEnd::Blocked, {metres, 3.0, 0.0, kPi}});
+    return explorer.next(step.state, row.map, Recognised{}).command;
+  };
+  EXPECT_EQ(std::get<HomeTo>(afterLegOf(0.4)).node, NodeId{2});
+  EXPECT_TRUE(std::holds_alternative<Survey>(afterLegOf(2.0)));
+}
+
 TEST(Explorer, MakesSureByStrictSightWhereTheWaysReachFarRound)
 {
   Row row;

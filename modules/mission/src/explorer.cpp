@@ -69,7 +69,11 @@ public:
 
   void classified(const Recognised &report)
   {
-    const PlaceMatch *known = placeHere(report.matches);
+    const PlaceMatch *known = placeHere(report.matches, false);
+    const bool unsure = known == nullptr;
+    if (unsure) {
+      known = placeHere(report.matches, true);
+    }
     if (known == nullptr) {
       survey();
       return;
@@ -78,7 +82,7 @@ public:
       settle(DirectionState::Closed, "leads back to the same place");
     }
     m_step.state.dissimilarity = known->dissimilarity;
-    home(Phase::Homing, known->node, std::nullopt);
+    home(Phase::Homing, known->node, std::nullopt, unsure);
   }
 
   void homed(const Homed &report)
@@ -148,7 +152,11 @@ public:
     if (state.stranded > 0) {
       std::erase_if(matches, [this](const PlaceMatch &match) { return !pathToOpen(match.node); });
     }
-    const std::optional<NodeId> place = likeliestPlace(notInVain(matches, state.vain, 1));
+    std::optional<NodeId> place = likeliestPlace(notInVain(matches, state.vain, 1));
+    if (!place && state.stranded == 0 && state.origin && standsHere(*state.origin) &&
+        !tooOftenInVain(*state.origin)) {
+      place = state.origin; // a new place would be beside it
+    }
     const bool tried = state.retries++ > 1;
     if (place && !tried) {
       home(Phase::Returning, *place, std::nullopt);
@@ -202,11 +210,12 @@ private:
   void survey() { ask(Phase::Surveying, Survey{}); }
 
   /** Where places far round are alike, only sight tells that it is the one. */
-  void home(Phase phase, NodeId node, std::optional<double> departure)
+  void home(Phase phase, NodeId node, std::optional<double> departure, bool surely = false)
   {
     m_step.state.target = node;
     const auto off = phase == Phase::Following ? std::optional(Offset{}) : offset(node);
-    ask(phase, HomeTo{node, departure, false, !off || off->error > m_options.surelyBeyond});
+    ask(phase,
+        HomeTo{node, departure, false, surely || !off || off->error > m_options.surelyBeyond});
   }
 
   void change(const MapChange &made)
@@ -301,14 +310,25 @@ private:
     return sight - 0.5 * sigmas * sigmas;
   }
 
-  /** The known place that the robot most probably is at; nullptr if that is not likely enough. */
-  const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches) const
+  /** Whether the node stands right here by ways that are short enough to tell. */
+  bool standsHere(NodeId node) const
+  {
+    const auto off = offset(node);
+    return off && off->error <= m_options.surelyBeyond && off->distance <= m_options.rightHere;
+  }
+
+  /**
+   * The known place that the robot most probably is at; nullptr if that is not likely enough.
+   * @param near only those but the origin that stand right here by the ways; sight may doubt them
+   */
+  const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches, bool near) const
   {
     const PlaceMatch *best = nullptr;
-    double highest = m_options.leastLogOdds;
+    double highest = near ? m_options.leastNear : m_options.leastLogOdds;
     for (const PlaceMatch &match : matches) {
       const double odds = logOdds(match);
-      if (odds > highest && !tooOftenInVain(match.node)) {
+      if (odds > highest && !tooOftenInVain(match.node) &&
+          (!near || (match.node != m_step.state.origin && standsHere(match.node)))) {
         highest = odds;
         best = &match;
       }

@@ -64,7 +64,9 @@ struct ExplorerOptions
   double placeSigma = 0.5;
   double reckoningError = 0.08; ///< metres a metre of way, one sigma, that the ways add to it
   double surelyBeyond = 0.5;  ///< metres that the ways add, beyond which an arrival is made sure of
-  double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one
+  double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one, ...
+  double leastNear = -2.5;    ///< ... unless the ways have the place right here: to make sure then
+  double rightHere = 1.0;     ///< metres
   double nearPlace = 3.5;     ///< metres up to which the robot homes when it looks for its way
 
   /** Longest way, metres, that an edge may stand for. */
