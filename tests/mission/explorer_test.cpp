@@ -284,8 +284,40 @@ TEST(Explorer, TriesTheOnlyWayAgainThoughItFailed)
     EXPECT_TRUE(std::holds_alternative<HomeTo>(step.command)) << failed;
   }
   state.failures[EdgeId{0}] = ExplorerOptions{}.legTries;
-  const auto step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
-  EXPECT_FALSE(std::holds_alternative<HomeTo>(step.command));
+  auto step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
+  EXPECT_TRUE(std::holds_alternative<Recognise>(step.command));
+  // Nothing that leads on is seen: better that way once more than to give up.
+  step = explorer.next(step.state, map, Recognised{});
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(step.command));
+  state.failures[EdgeId{0}] = 1000;
+  step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
+  while (std::holds_alternative<Recognise>(step.command)) {
+    step = explorer.next(step.state, map, Recognised{});
+  }
+  EXPECT_TRUE(std::holds_alternative<Finish>(step.command));
+}
+
+TEST(Explorer, DrivesALegThatFailedByItsBearingAndLengthFirst)
+{
+  const Explorer explorer(oneMetre());
+  TopologicalMap map;
+  map.apply(NodeAdded{{NodeId{0}, {}}});
+  map.apply(NodeAdded{{NodeId{1}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
+  map.apply(EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.7, kPi, 1.2}});
+  ExplorerState state;
+  state.phase = ExplorerState::Phase::Homing;
+  state.origin = NodeId{0};
+  state.target = NodeId{0};
+  state.failures[EdgeId{0}] = 1;
+  auto step = explorer.next(state, map, Homed{HomingEnd::Arrived, {}});
+  const auto *stride = std::get_if<DriveDirection>(&step.command);
+  ASSERT_NE(stride, nullptr);
+  EXPECT_DOUBLE_EQ(stride->bearing, 0.7);
+  EXPECT_DOUBLE_EQ(stride->distance, 1.2);
+  step = explorer.next(step.state, map, Driven{true, {0.9, 0.9, 0.7, kPi}});
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{1});
+  step = explorer.next(step.state, map, Homed{HomingEnd::Arrived, {}});
+  EXPECT_EQ(step.state.origin, NodeId{1});
 }
 
 TEST(Explorer, GoesRoundAWayThatFailedTwice)

@@ -142,6 +142,13 @@ public:
     }
   }
 
+  /** However far it came, the next place is nearer now and looks more like it. */
+  void strode(const Driven &report)
+  {
+    m_step.state.chord = report.chord;
+    home(Phase::Following, m_step.state.route.front(), std::nullopt);
+  }
+
   void relocated(const Recognised &report)
   {
     ExplorerState &state = m_step.state;
@@ -389,7 +396,7 @@ private:
   std::optional<std::vector<NodeId>> pathToOpen(NodeId node) const
   {
     return overSoundEdges(
-        m_step.state.failures, m_options.legTries,
+        m_step.state.failures, m_options.legTries * (1 + m_step.state.stranded),
         [&](const std::set<EdgeId> &blocked) { return pathToNearestOpen(m_map, node, blocked); });
   }
 
@@ -463,8 +470,15 @@ private:
   void followRoute()
   {
     const ExplorerState &state = m_step.state;
-    home(Phase::Following, state.route.front(),
-         m_map.departureBearing(*state.origin, state.route.front()));
+    const NodeId next = state.route.front();
+    const std::optional<double> departure = m_map.departureBearing(*state.origin, next);
+    const std::optional<Edge> edge = m_map.edgeBetween(*state.origin, next);
+    const bool failed = edge && state.failures.contains(edge->id);
+    if (failed && m_options.strides && departure && edge->length) {
+      ask(Phase::Striding, DriveDirection{*departure, *edge->length});
+      return;
+    }
+    home(Phase::Following, next, departure);
   }
 
   const ExplorerOptions &m_options;
@@ -512,6 +526,9 @@ Step<ExplorerState> Explorer::next(const State &state, const TopologicalMap &map
     break;
   case Phase::Following:
     stepper.followed(answer<Homed>(report));
+    break;
+  case Phase::Striding:
+    stepper.strode(answer<Driven>(report));
     break;
   case Phase::Relocating:
     stepper.relocated(answer<Recognised>(report));

@@ -23,6 +23,7 @@ struct ExplorerState
     Classifying, ///< is this a known place?
     Homing,      ///< to the known place recognised after a drive
     Following,   ///< the planned route to a node with an open direction
+    Striding,    ///< along a leg as it was driven once, because sight alone did not do
     Relocating,  ///< a leg of the route failed: where is this?
     Returning,   ///< to the place found by relocating
     Finished
@@ -55,10 +56,11 @@ struct ExplorerOptions
    * node that the ways tell surely enough; 0: every direction is driven, as the seed does. */
   double closeNear = 0.0;
   int homingTries = 2;   ///< times to home to a recognised place before the way there is given up
+  bool strides = true;   ///< drive a leg that failed by its bearing and length before homing
   bool relocates = true; ///< look for a known place where a leg failed, else make a new one there
-  int legTries = 4;      ///< failures after which an edge is never planned over again
-  int rescueTries = 3; ///< looks for a place that leads on when the robot is cut off from the rest
-  int maxNodes = 400;  ///< a map that grows beyond is a fault, not a building
+  int legTries = 4;      ///< failures after which an edge is planned over only when cut off, ...
+  int rescueTries = 3;   ///< ... as often again each time; looks then for a place that leads on
+  int maxNodes = 400;    ///< a map that grows beyond is a fault, not a building
 
   /** Metres, one sigma, that a robot at a place may be off from where its node stands. */
   double placeSigma = 0.5;
@@ -91,6 +93,7 @@ struct ExplorerOptions
  * | Homing      | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  |
  * |             |            | where an edge can be made, else Returning to the node left            |
  * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
+ * | Striding    | Driven     | Following the same leg, from where it stands now                      |
  * | Relocating  | Recognised | Returning to the best place; Surveying when there is none             |
  * |             |            | the same when cut off, but a place that leads on; else Finished       |
  * | Returning   | Homed      | arrived: leave the node; else Relocating                              |
