@@ -119,6 +119,48 @@ TEST(PathToNearestOpen, IsNothingWhenAllThatCanBeReachedIsSettled)
   EXPECT_THROW(pathToNearestOpen(flat(), {12}), LogicError);
 }
 
+TEST(Planner, NeverUsesAForbiddenEdge)
+{
+  TopologicalMap map = flat({7});
+  map.apply(EdgeForbidden{map.edgeBetween({4}, {5})->id});
+  EXPECT_EQ(shortestPath(map, {4}, {5})->size(), 6U);
+  EXPECT_EQ(pathToNearestOpen(map, {4})->size(), 8U);
+  EXPECT_EQ(stepDistances(map, {4}).at({5}), 5);
+  map.apply(EdgeForbidden{map.edgeBetween({6}, {7})->id});
+  EXPECT_EQ(pathToNearestOpen(map, {4}), std::nullopt);
+  EXPECT_EQ(shortestPath(map, {0}, {7}, {}, expectedMetres), std::nullopt);
+}
+
+TEST(Planner, TakesMoreEdgesWhereTheyCostLess)
+{
+  TopologicalMap map = flat({6});
+  const EdgeId corridor = map.edgeBetween({4}, {5})->id;
+  const Path straight{{0}, {4}, {5}, {6}};
+  const Path round{{0}, {1}, {2}, {3}, {5}, {6}};
+  EXPECT_EQ(shortestPath(map, {0}, {6}, {}, expectedMetres), straight);
+  map.apply(EdgeTried{corridor, "blocked", 9.0, 1.0});
+  EXPECT_EQ(pathToNearestOpen(map, {0}, {}, expectedMetres), straight); // 8 m, not 10
+  map.apply(EdgeTried{corridor, "blocked", 9.0, 2.0});
+  EXPECT_EQ(shortestPath(map, {0}, {6}, {}, expectedMetres), round); // 10 m both, smaller ids
+  EXPECT_EQ(pathToNearestOpen(map, {0}, {}, expectedMetres), round);
+  EXPECT_EQ(shortestPath(map, {0}, {6}), straight);
+}
+
+TEST(Planner, RefusesACostThatIsNone)
+{
+  EXPECT_THROW(shortestPath(flat(), {0}, {7}, {}, [](const Edge &) { return 0.0; }), LogicError);
+  EXPECT_THROW(pathToNearestOpen(flat({7}), {0}, {}, [](const Edge &) { return -1.0; }),
+               LogicError);
+}
+
+TEST(ExpectedMetres, AreLengthTimesExpectedTries)
+{
+  EXPECT_EQ(expectedMetres({{0}, {0}, {1}}), 2.0);
+  EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 3.0, {5, 5}}), 3.0);
+  EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 3.0, {5, 1}}), 9.0);
+  EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 0.0}), 0.1);
+}
+
 TEST(StepDistances, CountEdgesAndLeaveOutWhatCannotBeReached)
 {
   EXPECT_THAT(stepDistances(flat(), {6}),

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/topology/planner.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/dijkstra_shortest_paths.hpp>
-
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <limits>
+#include <queue>
 
 namespace homeward
 {
@@ -14,134 +12,165 @@ namespace homeward
 namespace
 {
 
-// Vertex v of the graph is node v of the map: node ids count from 0.
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
-                                    boost::no_property, boost::property<boost::edge_weight_t, int>>;
-using Vertex = boost::graph_traits<Graph>::vertex_descriptor;
+constexpr double kLeastCost = 0.001;    // a sum of millions still tells it
+constexpr double kUnknownLength = 2.0;  // metres
+constexpr double kShortestLength = 0.1; // metres
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
-constexpr int kUnreached = std::numeric_limits<int>::max();
-
-Vertex vertexOf(NodeId id)
-{
-  return static_cast<Vertex>(id.value);
-}
-
-NodeId nodeOf(Vertex vertex)
-{
-  return {static_cast<std::int64_t>(vertex)};
-}
-
-Graph graphOf(const TopologicalMap &map, const std::set<EdgeId> &blocked)
-{
-  Graph graph(map.nodes().size());
-  for (const auto &[id, edge] : map.edges()) {
-    if (blocked.count(id) == 0) {
-      boost::add_edge(vertexOf(edge.a), vertexOf(edge.b), 1, graph);
-    }
-  }
-  return graph;
-}
-
-/** Thrown by a visitor, as Boost.Graph asks for, to end a search early. */
-struct SearchEnded
-{};
-
-/** Told of every vertex and its distance, nearest first; returns whether the search is over. */
-using Stop = std::function<bool(Vertex, int)>;
-
-class StoppingVisitor : public boost::default_dijkstra_visitor
+/** Dijkstra's algorithm from one node on, as far as it is asked to go. */
+class Search
 {
 public:
-  StoppingVisitor(const Stop &stop, const std::vector<int> &distances)
-      : m_stop(&stop), m_distances(&distances)
-  {}
-
-  void examine_vertex(Vertex vertex, const Graph &) // NOLINT(readability-identifier-naming)
+  Search(const TopologicalMap &map, const std::set<EdgeId> &blocked, const EdgeCost &cost,
+         NodeId source)
+      : m_map(&map), m_blocked(&blocked), m_cost(&cost),
+        m_distances(static_cast<std::size_t>(map.nextNodeId().value), kUnreached)
   {
-    if ((*m_stop)(vertex, (*m_distances)[vertex])) {
-      throw SearchEnded{};
+    map.node(source);
+    reach(source, 0.0);
+  }
+
+  /** The next node by distance, equally near ones in order of ids; nothing when all are through. */
+  std::optional<NodeId> next()
+  {
+    while (!m_queue.empty()) {
+      const auto [distance, id] = m_queue.top();
+      m_queue.pop();
+      if (distance == this->distance(id)) { // else a shorter way to it was found meanwhile
+        spread(id, distance);
+        return id;
+      }
     }
+    return std::nullopt;
+  }
+
+  /** Exact for every node that next() has given. */
+  double distance(NodeId id) const { return m_distances[static_cast<std::size_t>(id.value)]; }
+
+  /** The cost of an edge; infinite when it may not be used. @throw LogicError */
+  double cost(EdgeId id) const
+  {
+    const Edge &edge = m_map->edge(id);
+    if (edge.forbidden || m_blocked->count(id) != 0) {
+      return kUnreached;
+    }
+    const double cost = (*m_cost)(edge);
+    if (!(std::isfinite(cost) && cost >= kLeastCost)) {
+      throw LogicError("planner: edge " + std::to_string(id.value) + " cannot cost " +
+                       std::to_string(cost));
+    }
+    return cost;
   }
 
 private:
-  const Stop *m_stop;
-  const std::vector<int> *m_distances;
+  using Entry = std::pair<double, NodeId>;
+
+  void reach(NodeId id, double distance)
+  {
+    double &known = m_distances[static_cast<std::size_t>(id.value)];
+    if (distance < known) {
+      known = distance;
+      m_queue.emplace(distance, id);
+    }
+  }
+
+  void spread(NodeId id, double distance)
+  {
+    const std::vector<NodeId> &near = m_map->neighbours(id);
+    const std::vector<EdgeId> &edges = m_map->edgesAt(id);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      reach(near[i], distance + cost(edges[i]));
+    }
+  }
+
+  struct Farther
+  {
+    bool operator()(const Entry &a, const Entry &b) const
+    {
+      return a.first != b.first ? a.first > b.first : b.second < a.second;
+    }
+  };
+
+  const TopologicalMap *m_map;
+  const std::set<EdgeId> *m_blocked;
+  const EdgeCost *m_cost;
+  std::vector<double> m_distances; ///< by node
+  std::priority_queue<Entry, std::vector<Entry>, Farther> m_queue;
 };
 
-/** Distances from `source`, exact for every vertex nearer than where `stop` ended the search. */
-std::vector<int> search(const TopologicalMap &map, const std::set<EdgeId> &blocked, NodeId source,
-                        const Stop &stop)
+/** The smallest neighbour that is as near to the source of `search` as the way from `from` is long.
+ */
+NodeId step(const TopologicalMap &map, const Search &search, NodeId from)
 {
-  const Graph graph = graphOf(map, blocked);
-  std::vector<int> distances(boost::num_vertices(graph), kUnreached);
-  const auto distanceMap =
-      boost::make_iterator_property_map(distances.begin(), get(boost::vertex_index, graph));
-  try {
-    boost::dijkstra_shortest_paths(
-        graph, vertexOf(source),
-        boost::distance_map(distanceMap).visitor(StoppingVisitor(stop, distances)));
+  const std::vector<NodeId> &near = map.neighbours(from);
+  const std::vector<EdgeId> &edges = map.edgesAt(from);
+  std::size_t i = 0;
+  while (!(search.distance(near[i]) < search.distance(from) &&
+           search.distance(near[i]) + search.cost(edges[i]) == search.distance(from))) {
+    ++i;
   }
-  catch (const SearchEnded &) {
-    return distances;
-  }
-  return distances;
+  return near[i];
 }
 
 } // namespace
 
+double countEdge(const Edge &)
+{
+  return 1.0;
+}
+
+double expectedMetres(const Edge &edge)
+{
+  const EdgeStatistics &known = edge.statistics;
+  return std::max(edge.length.value_or(kUnknownLength), kShortestLength) * (known.tries + 1) /
+         (known.successes + 1);
+}
+
 std::optional<std::vector<NodeId>> shortestPath(const TopologicalMap &map, NodeId from, NodeId to,
-                                                const std::set<EdgeId> &blocked)
+                                                const std::set<EdgeId> &blocked,
+                                                const EdgeCost &cost)
 {
   map.node(from);
-  map.node(to);
-  // Distances to the goal, so that the walk below can take the smallest id at every step.
-  const std::vector<int> toGoal =
-      search(map, blocked, to, [&](Vertex vertex, int) { return vertex == vertexOf(from); });
-  if (toGoal[vertexOf(from)] == kUnreached) {
+  // From the goal, so that the walk below can take the smallest id at every step.
+  Search search(map, blocked, cost, to);
+  std::optional<NodeId> reached = search.next();
+  while (reached && *reached != from) {
+    reached = search.next();
+  }
+  if (!reached) {
     return std::nullopt;
   }
   std::vector<NodeId> path{from};
   while (path.back() != to) {
-    const int left = toGoal[vertexOf(path.back())];
-    const std::vector<NodeId> &near = map.neighbours(path.back());
-    path.push_back(*std::find_if(near.begin(), near.end(), [&](NodeId next) {
-      return toGoal[vertexOf(next)] == left - 1 &&
-             blocked.count(map.edgeBetween(path.back(), next)->id) == 0;
-    }));
+    path.push_back(step(map, search, path.back()));
   }
   return path;
 }
 
 std::optional<std::vector<NodeId>> pathToNearestOpen(const TopologicalMap &map, NodeId from,
-                                                     const std::set<EdgeId> &blocked)
+                                                     const std::set<EdgeId> &blocked,
+                                                     const EdgeCost &cost)
 {
-  map.node(from);
-  std::optional<NodeId> nearest;
-  int nearestDistance = 0;
-  search(map, blocked, from, [&](Vertex vertex, int distance) {
-    // The heap hands out equally near vertices in no useful order: look at all of them.
-    if (nearest && distance > nearestDistance) {
-      return true;
+  if (map.hasOpenDirection(from)) {
+    return std::vector<NodeId>{from};
+  }
+  Search search(map, blocked, cost, from);
+  while (const std::optional<NodeId> node = search.next()) {
+    if (map.hasOpenDirection(*node)) {
+      return shortestPath(map, from, *node, blocked, cost);
     }
-    const NodeId id = nodeOf(vertex);
-    if (map.hasOpenDirection(id) && (!nearest || id < *nearest)) {
-      nearest = id;
-      nearestDistance = distance;
-    }
-    return false;
-  });
-  return nearest ? shortestPath(map, from, *nearest, blocked) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 std::map<NodeId, int> stepDistances(const TopologicalMap &map, NodeId from)
 {
-  map.node(from);
-  const std::vector<int> distances = search(map, {}, from, [](Vertex, int) { return false; });
+  const std::set<EdgeId> none;
+  const EdgeCost cost = countEdge;
+  Search search(map, none, cost, from);
   std::map<NodeId, int> steps;
-  for (Vertex vertex = 0; vertex < distances.size(); ++vertex) {
-    if (distances[vertex] != kUnreached) {
-      steps.emplace(nodeOf(vertex), distances[vertex]);
-    }
+  while (const std::optional<NodeId> node = search.next()) {
+    steps.emplace(*node, static_cast<int>(search.distance(*node)));
   }
   return steps;
 }

@@ -1,119 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <homeward/core/id.h>
+#include <homeward/topology/id_map.h>
+#include <homeward/topology/map_change.h>
 
+#include <functional>
 #include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
 
 namespace homeward
 {
 
-/** What became of a way to leave a place. */
-enum class DirectionState
-{
-  Open,   ///< nobody has driven there yet
-  Driven, ///< an edge leaves that way, or the robot came from there
-  Closed  ///< given up; Direction::reason says why
-};
-
-/** "open", "driven" or "closed". */
-std::string_view name(DirectionState state);
-
-/** Inverse of name(); nothing for any other word. */
-std::optional<DirectionState> parseDirectionState(std::string_view word);
-
-/** A way to leave a place. */
-struct Direction
-{
-  DirectionId id;       ///< its index in Node::directions
-  double bearing = 0.0; ///< radians, ccw from the robot's heading when the node was created
-  double width = 0.0;   ///< radians, 0 or more
-  DirectionState state = DirectionState::Open;
-  std::string reason = {}; ///< why it was settled; empty while open
-
-  bool operator==(const Direction &) const = default;
-};
-
-/** A place. */
-struct Node
-{
-  NodeId id;
-  std::vector<Direction> directions = {};
-
-  bool operator==(const Node &) const = default;
-};
-
-/** Two places with a driven way between them, usable both ways. */
-struct Edge
-{
-  EdgeId id;
-  NodeId a;
-  NodeId b;
-  /** Departure bearing towards the other end, radians ccw from that node's stored heading. */
-  std::optional<double> bearingAtA = std::nullopt;
-  std::optional<double> bearingAtB = std::nullopt; ///< as bearingAtA, at b towards a
-  std::optional<double> length = std::nullopt;     ///< metres, straight, as odometry had it
-
-  bool operator==(const Edge &) const = default;
-};
-
-/** A place is added; its id is TopologicalMap::nextNodeId(), its directions' ids count from 0. */
-struct NodeAdded
-{
-  Node node;
-};
-
-/** A way is added; its id is TopologicalMap::nextEdgeId(). */
-struct EdgeAdded
-{
-  Edge edge;
-};
-
-/** An open direction becomes driven or closed, once and for good. */
-struct DirectionSettled
-{
-  NodeId node;
-  DirectionId direction;
-  DirectionState state = DirectionState::Closed;
-  std::string reason = {};
-};
-
-/** One step in the growth of a map. */
-using MapChange = std::variant<NodeAdded, EdgeAdded, DirectionSettled>;
-
 /**
  * The topological map: places, the ways between them, and the ways not tried yet. A value without
- * images or coordinates. It grows by apply() alone, so that it always holds:
- * - ids count from 0 in the order of arrival and are never reused;
+ * images or coordinates. It changes by apply() alone, so that it always holds:
+ * - ids count from 0 in the order of arrival and are never reused, whatever was removed;
  * - every edge joins two known, different nodes, and no two edges join the same two;
- * - bearings, widths and lengths are finite, widths and lengths not negative;
+ * - bearings, widths, lengths and times are finite; widths, lengths and durations not negative;
+ * - no edge has more successes than tries;
+ * - a name is no number, has no control characters, and is that of one node;
  * - a settled direction stays as it is.
+ *
+ * A node, an edge and the neighbours of a node are found by index.
  */
 class TopologicalMap
 {
 public:
+  TopologicalMap() = default;
+
+  /**
+   * A map that was kept elsewhere.
+   * @param nodes, edges in order of ids
+   * @param nextNode, nextEdge larger than every id that was ever given
+   * @throw LogicError naming the value that breaks a rule
+   */
+  TopologicalMap(const std::vector<Node> &nodes, const std::vector<Edge> &edges, NodeId nextNode,
+                 EdgeId nextEdge);
+
   /** The id that the next node must have. */
-  NodeId nextNodeId() const;
+  NodeId nextNodeId() const { return m_nodes.next(); }
 
   /** The id that the next edge must have. */
-  EdgeId nextEdgeId() const;
+  EdgeId nextEdgeId() const { return m_edges.next(); }
 
-  const std::map<NodeId, Node> &nodes() const { return m_nodes; }
-  const std::map<EdgeId, Edge> &edges() const { return m_edges; }
+  const IdMap<NodeId, Node> &nodes() const { return m_nodes; }
+  const IdMap<EdgeId, Edge> &edges() const { return m_edges; }
 
   /** Whether the node exists. */
-  bool contains(NodeId id) const { return m_nodes.count(id) != 0; }
+  bool contains(NodeId id) const { return m_nodes.contains(id); }
 
   /** @throw LogicError when the node is unknown */
   const Node &node(NodeId id) const;
 
+  /** @throw LogicError when the edge is unknown */
+  const Edge &edge(EdgeId id) const;
+
+  /** The node that people mean by a number or a name; nothing when there is none. */
+  std::optional<NodeId> find(std::string_view numberOrName) const;
+
   /** The nodes one edge away, smallest id first. @throw LogicError when the node is unknown */
   const std::vector<NodeId> &neighbours(NodeId id) const;
+
+  /** The edges to neighbours(), in the same order. @throw LogicError when the node is unknown */
+  const std::vector<EdgeId> &edgesAt(NodeId id) const;
 
   /** The edge that joins two nodes, given either way round. @throw LogicError for unknown nodes */
   std::optional<Edge> edgeBetween(NodeId a, NodeId b) const;
@@ -132,7 +80,7 @@ public:
   int openDirectionCount() const;
 
   /**
-   * Grows the map.
+   * Changes the map.
    * @throw LogicError naming the value that breaks a rule; the map then is as before
    */
   void apply(const MapChange &change);
@@ -140,13 +88,38 @@ public:
   bool operator==(const TopologicalMap &) const = default;
 
 private:
-  void add(const NodeAdded &change);
-  void add(const EdgeAdded &change);
-  void add(const DirectionSettled &change);
+  /** What leaves a node; sorted by neighbour. */
+  struct Ways
+  {
+    std::vector<NodeId> neighbours = {};
+    std::vector<EdgeId> edges = {};
 
-  std::map<NodeId, Node> m_nodes;
-  std::map<EdgeId, Edge> m_edges;
-  std::map<NodeId, std::vector<NodeId>> m_neighbours; ///< sorted
+    bool operator==(const Ways &) const = default;
+  };
+
+  void make(const NodeAdded &change);
+  void make(const EdgeAdded &change);
+  void make(const DirectionSettled &change);
+  void make(const NodeNamed &change);
+  void make(const NodeRemoved &change);
+  void make(const EdgeRemoved &change);
+  void make(const EdgeForbidden &change);
+  void make(const EdgeTried &change);
+  void make(const NodesMerged &change);
+
+  void checkName(NodeId id, const std::string &name) const;
+  void checkEnds(const Edge &edge) const;
+  void rename(NodeId id, const std::string &name);
+  const Ways &ways(NodeId id) const;
+  std::optional<EdgeId> edgeIdBetween(NodeId a, NodeId b) const;
+  void link(NodeId from, NodeId to, EdgeId edge);
+  void unlink(NodeId from, NodeId to);
+  void takeOver(EdgeId id, const NodesMerged &merge);
+
+  IdMap<NodeId, Node> m_nodes;
+  IdMap<EdgeId, Edge> m_edges;
+  IdMap<NodeId, Ways> m_ways;
+  std::map<std::string, NodeId, std::less<>> m_named;
 };
 
 } // namespace homeward
