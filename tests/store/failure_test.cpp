@@ -129,8 +129,8 @@ TEST_F(MapFailureTest, OtherFilesAreNoMapsAndStayAsTheyAre)
 TEST_F(MapFailureTest, NewerVersion)
 {
   writeMap();
-  meddle("PRAGMA user_version = 3");
-  EXPECT_THAT(openError(), HasSubstr("has version 3, this program reads up to 2"));
+  meddle("PRAGMA user_version = 4");
+  EXPECT_THAT(openError(), HasSubstr("has version 4, this program reads up to 3"));
 }
 
 TEST_F(MapFailureTest, DamagedPages)
@@ -157,7 +157,7 @@ TEST_F(MapFailureTest, DamagedContents)
       {"UPDATE meta SET value = 'wide' WHERE key = 'panorama_width'", "panorama_width: wide"},
       {"UPDATE meta SET value = '0' WHERE key = 'panorama_width'", "panorama_width: 0"},
       {"UPDATE edge SET b = a", "to itself"},
-      {"UPDATE edge SET id = id + 4", "the next id is 0"},
+      {"UPDATE edge SET id = id + 4", "edge 4 is out of order; the next id is 2"},
       {"UPDATE edge SET b = 77", "names a place that is not there"},
       {"DELETE FROM view; DELETE FROM direction WHERE id = 0", "the next id is 0"},
       {"DROP TABLE view", "no such table"}};

@@ -80,6 +80,13 @@ void Database::fail(int code) const
   throw StoreError("map " + m_file.string() + " " + explain(code, sqlite3_errmsg(m_handle)));
 }
 
+void Database::check(int code) const
+{
+  if (code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE) {
+    fail(code);
+  }
+}
+
 void Database::execute(const char *sql)
 {
   const int code = sqlite3_exec(m_handle, sql, nullptr, nullptr, nullptr);
@@ -120,7 +127,7 @@ bool Database::inTransaction() const
 
 Statement::Statement(Database &database, const char *sql) : m_database(&database)
 {
-  check(sqlite3_prepare_v2(database.m_handle, sql, -1, &m_handle, nullptr));
+  m_database->check(sqlite3_prepare_v2(database.m_handle, sql, -1, &m_handle, nullptr));
 }
 
 Statement::~Statement()
@@ -128,22 +135,15 @@ Statement::~Statement()
   sqlite3_finalize(m_handle);
 }
 
-void Statement::check(int code) const
-{
-  if (code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE) {
-    m_database->fail(code);
-  }
-}
-
 Statement &Statement::bind(std::int64_t value)
 {
-  check(sqlite3_bind_int64(m_handle, ++m_bound, value));
+  m_database->check(sqlite3_bind_int64(m_handle, ++m_bound, value));
   return *this;
 }
 
 Statement &Statement::bind(double value)
 {
-  check(sqlite3_bind_double(m_handle, ++m_bound, value));
+  m_database->check(sqlite3_bind_double(m_handle, ++m_bound, value));
   return *this;
 }
 
@@ -152,7 +152,7 @@ Statement &Statement::bind(const std::optional<double> &value)
   if (value) {
     return bind(*value);
   }
-  check(sqlite3_bind_null(m_handle, ++m_bound));
+  m_database->check(sqlite3_bind_null(m_handle, ++m_bound));
   return *this;
 }
 
@@ -160,21 +160,22 @@ Statement &Statement::bind(std::string_view value)
 {
   // A null pointer would mean NULL, and an empty view may hold one.
   const char *data = value.empty() ? "" : value.data();
-  check(sqlite3_bind_text(m_handle, ++m_bound, data, static_cast<int>(value.size()),
-                          SQLITE_TRANSIENT));
+  m_database->check(sqlite3_bind_text(m_handle, ++m_bound, data, static_cast<int>(value.size()),
+                                      SQLITE_TRANSIENT));
   return *this;
 }
 
 Statement &Statement::bind(std::span<const unsigned char> value)
 {
-  check(sqlite3_bind_blob64(m_handle, ++m_bound, value.data(), value.size(), SQLITE_TRANSIENT));
+  m_database->check(
+      sqlite3_bind_blob64(m_handle, ++m_bound, value.data(), value.size(), SQLITE_TRANSIENT));
   return *this;
 }
 
 bool Statement::step()
 {
   const int code = sqlite3_step(m_handle);
-  check(code);
+  m_database->check(code);
   return code == SQLITE_ROW;
 }
 
@@ -182,7 +183,7 @@ void Statement::run()
 {
   while (step()) {
   }
-  check(sqlite3_reset(m_handle));
+  m_database->check(sqlite3_reset(m_handle));
   m_bound = 0;
 }
 

@@ -57,9 +57,14 @@ public:
 
 private:
   friend class Statement;
+  friend class ChangeRecorder;
+  friend bool takeBack(Database &database, std::span<const unsigned char> changes);
 
   /** @throw StoreError for an SQLite result code */
   [[noreturn]] void fail(int code) const;
+
+  /** @throw StoreError unless the code is one of success */
+  void check(int code) const;
 
   std::filesystem::path m_file;
   sqlite3 *m_handle = nullptr;
@@ -92,8 +97,6 @@ public:
   std::vector<unsigned char> blob(int column) const;
 
 private:
-  void check(int code) const;
-
   Database *m_database;
   sqlite3_stmt *m_handle = nullptr;
   int m_bound = 0;

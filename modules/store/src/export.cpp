@@ -60,9 +60,26 @@ std::string escapedXml(const std::string &words)
   return escaped;
 }
 
+/** A string of Graphviz's language. */
+std::string quotedDot(const std::string &words)
+{
+  std::string text = "\"";
+  for (const char c : words) {
+    text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  }
+  return text + "\"";
+}
+
 std::string xmlData(const std::string &key, const std::string &value)
 {
   return "<data key=\"" + key + "\">" + escapedXml(value) + "</data>";
+}
+
+std::string xmlUse(const EdgeStatistics &known)
+{
+  return xmlData("tries", text(known.tries)) + xmlData("successes", text(known.successes)) +
+         xmlData("mean", fixedText(known.meanSeconds)) +
+         (known.lastError.empty() ? "" : xmlData("last_error", known.lastError));
 }
 
 /** "0.120000 open; -1.500000 closed (blocked)" */
@@ -101,7 +118,7 @@ nlohmann::ordered_json jsonOf(const Node &node)
                           {"state", name(direction.state)},
                           {"reason", direction.reason}});
   }
-  return {{"id", node.id.value}, {"directions", directions}};
+  return {{"id", node.id.value}, {"name", node.name}, {"directions", directions}};
 }
 
 nlohmann::ordered_json jsonOf(const Edge &edge)
@@ -111,7 +128,13 @@ nlohmann::ordered_json jsonOf(const Edge &edge)
           {"b", edge.b.value},
           {"bearing_at_a_rad", jsonOf(edge.bearingAtA)},
           {"bearing_at_b_rad", jsonOf(edge.bearingAtB)},
-          {"length_m", jsonOf(edge.length)}};
+          {"length_m", jsonOf(edge.length)},
+          {"tries", edge.statistics.tries},
+          {"successes", edge.statistics.successes},
+          {"mean_s", edge.statistics.meanSeconds},
+          {"last_error", edge.statistics.lastError},
+          {"last_time_s", edge.statistics.lastTime},
+          {"forbidden", edge.forbidden}};
 }
 
 nlohmann::ordered_json jsonOf(const MapHeader &header)
@@ -128,7 +151,7 @@ nlohmann::ordered_json jsonOf(const MapHeader &header)
 
 std::string canonicalHeader(const MapHeader &header)
 {
-  std::string lines = "homeward map canonical 2\n";
+  std::string lines = "homeward map canonical 3\n";
   lines += "camera " + header.cameraHash + "\n";
   lines += "panorama " + text(header.panorama.width) + " " + text(header.panorama.height) + " " +
            fixedText(header.panorama.elevationMin) + " " + fixedText(header.panorama.elevationMax) +
@@ -140,13 +163,26 @@ std::string canonicalHeader(const MapHeader &header)
   return lines;
 }
 
+/** " tried 3 arrived 2 mean 12.500000 last "lost" forbidden"; nothing of an edge never tried. */
+std::string canonicalUse(const Edge &edge)
+{
+  const EdgeStatistics &known = edge.statistics;
+  std::string use;
+  if (known.tries > 0) {
+    use = " tried " + text(known.tries) + " arrived " + text(known.successes) + " mean " +
+          fixedText(known.meanSeconds) + " last " + quoted(known.lastError);
+  }
+  return use + (edge.forbidden ? " forbidden" : "");
+}
+
 } // namespace
 
 std::string exportCanonical(const MapFile &file)
 {
   std::string lines = canonicalHeader(file.header());
   for (const auto &[id, node] : file.map().nodes()) {
-    lines += "node " + text(id.value) + " view " + viewHash(file, id).value_or("none") + "\n";
+    lines += "node " + text(id.value) + " view " + viewHash(file, id).value_or("none");
+    lines += node.name.empty() ? "\n" : " name " + quoted(node.name) + "\n";
     for (const Direction &direction : node.directions) {
       lines += "direction " + text(id.value) + " " + text(direction.id.value) + " " +
                fixedText(direction.bearing) + " " + fixedText(direction.width) + " " +
@@ -155,7 +191,8 @@ std::string exportCanonical(const MapFile &file)
   }
   for (const auto &[id, edge] : file.map().edges()) {
     lines += "edge " + text(id.value) + " " + text(edge.a.value) + " " + text(edge.b.value) + " " +
-             text(edge.bearingAtA) + " " + text(edge.bearingAtB) + " " + text(edge.length) + "\n";
+             text(edge.bearingAtA) + " " + text(edge.bearingAtB) + " " + text(edge.length) +
+             canonicalUse(edge) + "\n";
   }
   return lines;
 }
@@ -166,15 +203,22 @@ std::string exportGraphml(const TopologicalMap &map)
 <graphml xmlns="http://graphml.graphdrawing.org/xmlns">
   <key id="open" for="node" attr.name="open_directions" attr.type="int"/>
   <key id="directions" for="node" attr.name="directions_rad" attr.type="string"/>
+  <key id="name" for="node" attr.name="name" attr.type="string"/>
   <key id="at_source" for="edge" attr.name="bearing_at_source_rad" attr.type="double"/>
   <key id="at_target" for="edge" attr.name="bearing_at_target_rad" attr.type="double"/>
   <key id="length" for="edge" attr.name="length_m" attr.type="double"/>
+  <key id="tries" for="edge" attr.name="tries" attr.type="int"/>
+  <key id="successes" for="edge" attr.name="successes" attr.type="int"/>
+  <key id="mean" for="edge" attr.name="mean_s" attr.type="double"/>
+  <key id="last_error" for="edge" attr.name="last_error" attr.type="string"/>
+  <key id="forbidden" for="edge" attr.name="forbidden" attr.type="boolean"/>
   <graph id="map" edgedefault="undirected">
 )";
   for (const auto &[id, node] : map.nodes()) {
     xml += "    <node id=\"n" + text(id.value) + "\">" +
            xmlData("open", text(openDirections(node))) +
-           xmlData("directions", directionList(node)) + "</node>\n";
+           xmlData("directions", directionList(node)) +
+           (node.name.empty() ? "" : xmlData("name", node.name)) + "</node>\n";
   }
   for (const auto &[id, edge] : map.edges()) {
     xml += "    <edge id=\"e" + text(id.value) + "\" source=\"n" + text(edge.a.value) +
@@ -182,6 +226,8 @@ std::string exportGraphml(const TopologicalMap &map)
     xml += edge.bearingAtA ? xmlData("at_source", fixedText(*edge.bearingAtA)) : "";
     xml += edge.bearingAtB ? xmlData("at_target", fixedText(*edge.bearingAtB)) : "";
     xml += edge.length ? xmlData("length", fixedText(*edge.length)) : "";
+    xml += edge.statistics.tries > 0 ? xmlUse(edge.statistics) : "";
+    xml += edge.forbidden ? xmlData("forbidden", "true") : "";
     xml += "</edge>\n";
   }
   return xml + "  </graph>\n</graphml>\n";
@@ -191,10 +237,15 @@ std::string exportDot(const TopologicalMap &map)
 {
   std::string dot = "graph map {\n  node [shape=circle];\n";
   for (const auto &[id, node] : map.nodes()) {
-    dot += "  " + text(id.value) + (openDirections(node) > 0 ? " [peripheries=2];\n" : ";\n");
+    std::string looks = openDirections(node) > 0 ? "peripheries=2" : "";
+    if (!node.name.empty()) {
+      looks += (looks.empty() ? "label=" : ", label=") + quotedDot(node.name);
+    }
+    dot += "  " + text(id.value) + (looks.empty() ? "" : " [" + looks + "]") + ";\n";
   }
   for (const auto &[id, edge] : map.edges()) {
-    dot += "  " + text(edge.a.value) + " -- " + text(edge.b.value) + ";\n";
+    dot += "  " + text(edge.a.value) + " -- " + text(edge.b.value) +
+           (edge.forbidden ? " [style=dashed, color=red];\n" : ";\n");
   }
   return dot + "}\n";
 }

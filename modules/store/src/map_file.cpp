@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/store/map_file.h>
 
+#include "change_recorder.h"
 #include "database.h"
 #include "map_rows.h"
+#include "map_tables.h"
 #include "number_text.h"
 
 #include <homeward/core/error.h>
 #include <homeward/store/content_hash.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace homeward
@@ -72,6 +75,15 @@ void checkLog(const std::vector<LogLine> &lines)
       throw LogicError("run log: the time of \"" + line.text + "\" is not finite");
     }
   }
+}
+
+bool takesPicturesAway(const MapUpdate &update)
+{
+  return !update.refreshes.empty() ||
+         std::any_of(update.changes.begin(), update.changes.end(), [](const MapChange &change) {
+           return std::holds_alternative<NodeRemoved>(change) ||
+                  std::holds_alternative<NodesMerged>(change);
+         });
 }
 
 std::string sizeText(const PanoramaGeometry &geometry)
@@ -158,7 +170,10 @@ MapFile MapFile::open(const fs::path &path, Access access)
 
 void MapFile::load()
 {
-  checkTables(*m_database);
+  checkVersion(*m_database);
+  if (const std::vector<std::string> findings = tableFindings(*m_database); !findings.empty()) {
+    damaged(*m_database, findings.front());
+  }
   m_header = readHeader(*m_database);
   m_map = readMap(*m_database);
 }
@@ -179,39 +194,130 @@ Database &MapFile::database() const
   return *m_database;
 }
 
-void MapFile::append(const MapUpdate &update)
+void MapFile::expectWritable() const
 {
   if (m_access == Access::Read) {
     throw LogicError("map " + m_path.string() + " was opened for reading only");
   }
   database();
+}
+
+TopologicalMap MapFile::changed(const MapUpdate &update) const
+{
+  expectWritable();
   checkLog(update.log);
   TopologicalMap grown = m_map;
   for (const MapChange &change : update.changes) {
     grown.apply(change);
   }
+  const auto checkView = [&](const NewView &view) {
+    grown.node(view.node);
+    decodeView(view.bytes, m_header.panorama);
+  };
   if (update.view) {
-    grown.node(update.view->node);
-    decodeView(update.view->bytes, m_header.panorama);
+    checkView(*update.view);
   }
-  write(update);
-  if (!m_published && !grown.nodes().empty()) {
-    publish();
-  }
-  m_map = std::move(grown);
+  std::for_each(update.refreshes.begin(), update.refreshes.end(), checkView);
+  return grown;
 }
 
-void MapFile::write(const MapUpdate &update)
+void MapFile::append(const MapUpdate &update)
 {
-  Database &file = database();
-  Transaction transaction(file);
-  if (file.integer("PRAGMA data_version") != m_dataVersion) {
+  TopologicalMap grown = changed(update);
+  Transaction transaction(database());
+  write(update, grown);
+  transaction.commit();
+  finish(update, std::move(grown));
+}
+
+std::int64_t MapFile::edit(const std::string &description, const MapUpdate &update)
+{
+  TopologicalMap grown = changed(update);
+  Transaction transaction(database());
+  const std::int64_t number = writeEdit(description, update, grown);
+  if (readMap(database()) != grown) {
+    throw LogicError("map " + m_path.string() + ": the rows of \"" + description +
+                     "\" say something else");
+  }
+  transaction.commit();
+  finish(update, std::move(grown));
+  return number;
+}
+
+std::int64_t MapFile::writeEdit(const std::string &description, const MapUpdate &update,
+                                const TopologicalMap &grown)
+{
+  const ChangeRecorder recorder(database());
+  write(update, grown);
+  Statement(database(), "INSERT INTO journal(description, changeset) VALUES (?, ?)")
+      .bind(std::string_view(description))
+      .bind(std::span<const unsigned char>(recorder.changes()))
+      .run();
+  return database().integer("SELECT max(number) FROM journal");
+}
+
+JournalEntry MapFile::undo()
+{
+  expectWritable();
+  Transaction transaction(database());
+  expectOwn();
+  const auto [entry, changes] = newestEdit();
+  const std::string conflict = "map " + m_path.string() + ": edit " + std::to_string(entry.number) +
+                               " (" + entry.description +
+                               ") cannot be undone, the map has changed there since";
+  if (!takeBack(database(), changes)) {
+    throw StoreError(conflict);
+  }
+  TopologicalMap before;
+  try {
+    before = readMap(database());
+  }
+  catch (const StoreError &) {
+    throw StoreError(conflict);
+  }
+  Statement(database(), "UPDATE journal SET undone = 1 WHERE number = ?").bind(entry.number).run();
+  transaction.commit();
+  m_map = std::move(before);
+  ++m_pictureChanges;
+  return entry;
+}
+
+std::pair<JournalEntry, std::vector<unsigned char>> MapFile::newestEdit() const
+{
+  Statement newest(database(), "SELECT number, description, changeset FROM journal"
+                               " WHERE undone = 0 ORDER BY number DESC LIMIT 1");
+  if (!newest.step()) {
+    throw StoreError("map " + m_path.string() + " has no edit to undo");
+  }
+  return {{newest.integer(0), newest.text(1), true}, newest.blob(2)};
+}
+
+std::vector<JournalEntry> MapFile::journal() const
+{
+  std::vector<JournalEntry> entries;
+  if (tableVersion(database()) < 3) {
+    return entries;
+  }
+  Statement rows(database(), "SELECT number, description, undone FROM journal ORDER BY number");
+  while (rows.step()) {
+    entries.push_back({rows.integer(0), rows.text(1), rows.integer(2) != 0});
+  }
+  return entries;
+}
+
+void MapFile::expectOwn() const
+{
+  if (database().integer("PRAGMA data_version") != m_dataVersion) {
     throw StoreError("map " + m_path.string() +
                      " was changed by another program; open it again to go on");
   }
-  for (const MapChange &change : update.changes) {
-    writeChange(file, change);
-  }
+}
+
+void MapFile::write(const MapUpdate &update, const TopologicalMap &grown)
+{
+  expectOwn();
+  Database &file = database();
+  writeDifference(file, m_map, grown);
   if (update.view) {
     if (hasView(update.view->node)) {
       throw LogicError("map " + m_path.string() + ": node " +
@@ -219,9 +325,24 @@ void MapFile::write(const MapUpdate &update)
     }
     writeView(file, *update.view);
   }
+  for (const NewView &view : update.refreshes) {
+    if (!hasView(view.node)) {
+      throw LogicError("map " + m_path.string() + ": node " + std::to_string(view.node.value) +
+                       " has no view to refresh");
+    }
+    replaceView(file, view);
+  }
   writeLog(file, update.log);
   writeValues(file, update.values);
-  transaction.commit();
+}
+
+void MapFile::finish(const MapUpdate &update, TopologicalMap grown)
+{
+  if (!m_published && !grown.nodes().empty()) {
+    publish();
+  }
+  m_map = std::move(grown);
+  m_pictureChanges += takesPicturesAway(update) ? 1 : 0;
 }
 
 void MapFile::publish()

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "map_rows.h"
 
+#include "map_tables.h"
 #include "number_text.h"
 
 #include <homeward/core/error.h>
 #include <homeward/store/content_hash.h>
+
+#include <limits>
 
 namespace homeward
 {
@@ -12,41 +15,8 @@ namespace homeward
 namespace
 {
 
-constexpr std::int64_t kApplicationId = 0x48774d70; // "HwMp" in the file's header
-constexpr std::int64_t kSchemaVersion = 2;
 constexpr std::string_view kThresholdPrefix = "threshold.";
-
-constexpr const char *kTables = R"(
-CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
-CREATE TABLE value(key TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
-CREATE TABLE node(id INTEGER PRIMARY KEY) STRICT;
-CREATE TABLE direction(
-  node INTEGER NOT NULL REFERENCES node(id),
-  id INTEGER NOT NULL,
-  bearing_rad REAL NOT NULL,
-  width_rad REAL NOT NULL,
-  state TEXT NOT NULL CHECK (state IN ('open', 'driven', 'closed')),
-  reason TEXT NOT NULL,
-  PRIMARY KEY (node, id)) STRICT;
-CREATE TABLE edge(
-  id INTEGER PRIMARY KEY,
-  a INTEGER NOT NULL REFERENCES node(id),
-  b INTEGER NOT NULL REFERENCES node(id),
-  bearing_at_a_rad REAL,
-  bearing_at_b_rad REAL,
-  length_m REAL) STRICT;
-CREATE TABLE view(
-  node INTEGER PRIMARY KEY REFERENCES node(id),
-  hash TEXT NOT NULL,
-  jpeg BLOB NOT NULL) STRICT;
-CREATE TABLE run_log(seq INTEGER PRIMARY KEY, time_s REAL NOT NULL, line TEXT NOT NULL) STRICT;
-)";
-
-[[noreturn]] void damaged(const Database &database, const std::string &why)
-{
-  throw StoreError("map " + database.file().string() + " is damaged (" + why +
-                   "); use a copy of it");
-}
+constexpr std::int64_t kMostIds = 10'000'000; // a flipped bit must not ask for all memory
 
 /** The header's keys and values as text, thresholds apart. */
 class HeaderText
@@ -103,109 +73,181 @@ private:
   std::map<std::string, std::string> m_texts;
 };
 
-void write(Database &database, const NodeAdded &change)
+/** Removes what is no more, and what has changed. */
+class RowRemover
 {
-  Statement(database, "INSERT INTO node(id) VALUES (?)").bind(change.node.id.value).run();
-  Statement insert(database, "INSERT INTO direction VALUES (?, ?, ?, ?, ?, ?)");
-  for (const Direction &direction : change.node.directions) {
-    insert.bind(change.node.id.value)
-        .bind(direction.id.value)
-        .bind(direction.bearing)
-        .bind(direction.width)
-        .bind(name(direction.state))
-        .bind(std::string_view(direction.reason))
+public:
+  explicit RowRemover(Database &database)
+      : m_node(database, "DELETE FROM node WHERE id = ?"),
+        m_directions(database, "DELETE FROM direction WHERE node = ?"),
+        m_edge(database, "DELETE FROM edge WHERE id = ?"),
+        m_view(database, "DELETE FROM view WHERE node = ?")
+  {}
+
+  void node(NodeId id)
+  {
+    m_directions.bind(id.value).run();
+    m_node.bind(id.value).run();
+  }
+  void edge(EdgeId id) { m_edge.bind(id.value).run(); }
+  void view(NodeId id) { m_view.bind(id.value).run(); }
+
+private:
+  Statement m_node;
+  Statement m_directions;
+  Statement m_edge;
+  Statement m_view;
+};
+
+class RowWriter
+{
+public:
+  explicit RowWriter(Database &database)
+      : m_node(database, "INSERT INTO node(id, name) VALUES (?, ?)"),
+        m_direction(database, "INSERT INTO direction VALUES (?, ?, ?, ?, ?, ?)"),
+        m_edge(database, "INSERT INTO edge(id, a, b, bearing_at_a_rad, bearing_at_b_rad, length_m,"
+                         " tries, successes, mean_seconds, last_error, last_time_s, forbidden)"
+                         " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+  {}
+
+  void node(const Node &node)
+  {
+    m_node.bind(node.id.value).bind(std::string_view(node.name)).run();
+    for (const Direction &direction : node.directions) {
+      m_direction.bind(node.id.value)
+          .bind(direction.id.value)
+          .bind(direction.bearing)
+          .bind(direction.width)
+          .bind(name(direction.state))
+          .bind(std::string_view(direction.reason))
+          .run();
+    }
+  }
+
+  void edge(const Edge &edge)
+  {
+    m_edge.bind(edge.id.value)
+        .bind(edge.a.value)
+        .bind(edge.b.value)
+        .bind(edge.bearingAtA)
+        .bind(edge.bearingAtB)
+        .bind(edge.length)
+        .bind(std::int64_t{edge.statistics.tries})
+        .bind(std::int64_t{edge.statistics.successes})
+        .bind(edge.statistics.meanSeconds)
+        .bind(std::string_view(edge.statistics.lastError))
+        .bind(edge.statistics.lastTime)
+        .bind(std::int64_t{edge.forbidden ? 1 : 0})
         .run();
   }
+
+private:
+  Statement m_node;
+  Statement m_direction;
+  Statement m_edge;
+};
+
+void writeNextId(Database &database, std::string_view kind, std::int64_t id)
+{
+  Statement(database, "UPDATE next_id SET id = ? WHERE kind = ?").bind(id).bind(kind).run();
 }
 
-void write(Database &database, const EdgeAdded &change)
+/** Whether `values` holds just this. */
+template <class Values, class Key, class Value>
+bool holds(const Values &values, Key id, const Value &value)
 {
-  const Edge &edge = change.edge;
-  Statement(database, "INSERT INTO edge VALUES (?, ?, ?, ?, ?, ?)")
-      .bind(edge.id.value)
-      .bind(edge.a.value)
-      .bind(edge.b.value)
-      .bind(edge.bearingAtA)
-      .bind(edge.bearingAtB)
-      .bind(edge.length)
-      .run();
+  const Value *found = values.find(id);
+  return found != nullptr && *found == value;
 }
 
-void write(Database &database, const DirectionSettled &change)
+int smallCount(const Database &database, std::int64_t count)
 {
-  Statement(database, "UPDATE direction SET state = ?, reason = ? WHERE node = ? AND id = ?")
-      .bind(name(change.state))
-      .bind(std::string_view(change.reason))
-      .bind(change.node.value)
-      .bind(change.direction.value)
-      .run();
+  if (count < 0 || count > std::numeric_limits<int>::max()) {
+    damaged(database, "a count of " + std::to_string(count));
+  }
+  return static_cast<int>(count);
 }
 
-std::vector<Direction> readDirections(Database &database, NodeId node)
+std::map<NodeId, std::vector<Direction>> readDirections(Database &database)
 {
-  std::vector<Direction> directions;
-  Statement rows(database, "SELECT id, bearing_rad, width_rad, state, reason FROM direction"
-                           " WHERE node = ? ORDER BY id");
-  rows.bind(node.value);
+  std::map<NodeId, std::vector<Direction>> directions;
+  Statement rows(database, "SELECT node, id, bearing_rad, width_rad, state, reason FROM direction"
+                           " ORDER BY node, id");
   while (rows.step()) {
-    const std::optional<DirectionState> state = parseDirectionState(rows.text(3));
+    const std::optional<DirectionState> state = parseDirectionState(rows.text(4));
     if (!state) {
-      damaged(database, "direction state " + rows.text(3));
+      damaged(database, "direction state " + rows.text(4));
     }
-    directions.push_back({{rows.integer(0)},
-                          rows.real(1).value_or(0.0),
-                          rows.real(2).value_or(0.0),
-                          *state,
-                          rows.text(4)});
+    directions[{rows.integer(0)}].push_back({{rows.integer(1)},
+                                             rows.real(2).value_or(0.0),
+                                             rows.real(3).value_or(0.0),
+                                             *state,
+                                             rows.text(5)});
   }
   return directions;
 }
 
+std::vector<Node> readNodes(Database &database)
+{
+  std::map<NodeId, std::vector<Direction>> directions = readDirections(database);
+  std::vector<Node> nodes;
+  Statement rows(database, tableVersion(database) > 2 ? "SELECT id, name FROM node ORDER BY id"
+                                                      : "SELECT id, '' FROM node ORDER BY id");
+  while (rows.step()) {
+    const NodeId id{rows.integer(0)};
+    nodes.push_back({id, std::move(directions[id]), rows.text(1)});
+  }
+  return nodes;
+}
+
+const char *edgeColumns(std::int64_t version)
+{
+  switch (version) {
+  case 1:
+    return "SELECT id, a, b, bearing_at_a_rad, bearing_at_b_rad, NULL, 0, 0, 0.0, '', 0.0, 0"
+           " FROM edge ORDER BY id";
+  case 2:
+    return "SELECT id, a, b, bearing_at_a_rad, bearing_at_b_rad, length_m, 0, 0, 0.0, '', 0.0, 0"
+           " FROM edge ORDER BY id";
+  default:
+    return "SELECT id, a, b, bearing_at_a_rad, bearing_at_b_rad, length_m, tries, successes,"
+           " mean_seconds, last_error, last_time_s, forbidden FROM edge ORDER BY id";
+  }
+}
+
+std::vector<Edge> readEdges(Database &database)
+{
+  std::vector<Edge> edges;
+  Statement rows(database, edgeColumns(tableVersion(database)));
+  while (rows.step()) {
+    edges.push_back({{rows.integer(0)},
+                     {rows.integer(1)},
+                     {rows.integer(2)},
+                     rows.real(3),
+                     rows.real(4),
+                     rows.real(5),
+                     {smallCount(database, rows.integer(6)), smallCount(database, rows.integer(7)),
+                      rows.real(8).value_or(0.0), rows.text(9), rows.real(10).value_or(0.0)},
+                     rows.integer(11) != 0});
+  }
+  return edges;
+}
+
+template <class Thing> std::int64_t afterLast(const std::vector<Thing> &things)
+{
+  return things.empty() ? 0 : things.back().id.value + 1;
+}
+
+std::int64_t readNextId(Database &database, std::string_view kind)
+{
+  Statement row(database, "SELECT id FROM next_id WHERE kind = ?");
+  if (!row.bind(kind).step()) {
+    damaged(database, "it does not know the next id of a " + std::string(kind));
+  }
+  return row.integer(0);
+}
+
 } // namespace
-
-void createTables(Database &database)
-{
-  database.execute(kTables);
-  database.execute(("PRAGMA application_id = " + std::to_string(kApplicationId)).c_str());
-  database.execute(("PRAGMA user_version = " + std::to_string(kSchemaVersion)).c_str());
-}
-
-void checkTables(Database &database)
-{
-  const std::string file = database.file().string();
-  if (database.integer("PRAGMA application_id") != kApplicationId) {
-    throw StoreError("map " + file +
-                     " is not a Homeward map; give a file that `homeward explore` wrote");
-  }
-  const std::int64_t version = database.integer("PRAGMA user_version");
-  if (version > kSchemaVersion) {
-    throw StoreError("map " + file + " has version " + std::to_string(version) +
-                     ", this program reads up to " + std::to_string(kSchemaVersion) +
-                     "; use a newer Homeward");
-  }
-  if (version < 1) {
-    damaged(database, "version " + std::to_string(version));
-  }
-  const std::string report = database.text("PRAGMA integrity_check(1)");
-  if (report != "ok") {
-    damaged(database, report.substr(report.find_last_of('\n') + 1));
-  }
-  const std::string orphan = database.text("PRAGMA foreign_key_check");
-  if (!orphan.empty()) {
-    damaged(database, "table " + orphan + " names a place that is not there");
-  }
-}
-
-void migrateTables(Database &database)
-{
-  if (database.integer("PRAGMA user_version") == kSchemaVersion) {
-    return;
-  }
-  Transaction transaction(database);
-  database.execute("ALTER TABLE edge ADD COLUMN length_m REAL");
-  database.execute(("PRAGMA user_version = " + std::to_string(kSchemaVersion)).c_str());
-  transaction.commit();
-}
 
 void writeHeader(Database &database, const MapHeader &header)
 {
@@ -239,9 +281,37 @@ MapHeader readHeader(Database &database)
   return header;
 }
 
-void writeChange(Database &database, const MapChange &change)
+void writeDifference(Database &database, const TopologicalMap &before, const TopologicalMap &after)
 {
-  std::visit([&](const auto &one) { write(database, one); }, change);
+  // Rows may name each other in any order until the transaction ends.
+  database.execute("PRAGMA defer_foreign_keys = ON");
+  RowRemover remove(database);
+  RowWriter write(database);
+  for (const auto &[id, node] : before.nodes()) {
+    if (!after.contains(id)) {
+      remove.view(id);
+    }
+    if (!holds(after.nodes(), id, node)) {
+      remove.node(id);
+    }
+  }
+  for (const auto &[id, edge] : before.edges()) {
+    if (!holds(after.edges(), id, edge)) {
+      remove.edge(id);
+    }
+  }
+  for (const auto &[id, node] : after.nodes()) {
+    if (!holds(before.nodes(), id, node)) {
+      write.node(node);
+    }
+  }
+  for (const auto &[id, edge] : after.edges()) {
+    if (!holds(before.edges(), id, edge)) {
+      write.edge(edge);
+    }
+  }
+  writeNextId(database, "node", after.nextNodeId().value);
+  writeNextId(database, "edge", after.nextEdgeId().value);
 }
 
 void writeView(Database &database, const NewView &view)
@@ -250,6 +320,15 @@ void writeView(Database &database, const NewView &view)
       .bind(view.node.value)
       .bind(std::string_view(hashText(contentHash(view.bytes))))
       .bind(std::span<const unsigned char>(view.bytes))
+      .run();
+}
+
+void replaceView(Database &database, const NewView &view)
+{
+  Statement(database, "UPDATE view SET hash = ?, jpeg = ? WHERE node = ?")
+      .bind(std::string_view(hashText(contentHash(view.bytes))))
+      .bind(std::span<const unsigned char>(view.bytes))
+      .bind(view.node.value)
       .run();
 }
 
@@ -271,29 +350,20 @@ void writeValues(Database &database, const std::map<std::string, std::string> &v
 
 TopologicalMap readMap(Database &database)
 {
-  TopologicalMap map;
+  const std::vector<Node> nodes = readNodes(database);
+  const std::vector<Edge> edges = readEdges(database);
+  const bool told = tableVersion(database) > 2;
+  const NodeId nextNode{told ? readNextId(database, "node") : afterLast(nodes)};
+  const EdgeId nextEdge{told ? readNextId(database, "edge") : afterLast(edges)};
+  if (nextNode.value > kMostIds || nextEdge.value > kMostIds) {
+    damaged(database, "ids beyond " + std::to_string(kMostIds));
+  }
   try {
-    Statement nodes(database, "SELECT id FROM node ORDER BY id");
-    while (nodes.step()) {
-      const NodeId id{nodes.integer(0)};
-      map.apply(NodeAdded{{id, readDirections(database, id)}});
-    }
-    const bool lengths = database.integer("PRAGMA user_version") > 1;
-    Statement edges(database, lengths ? "SELECT * FROM edge ORDER BY id"
-                                      : "SELECT *, NULL FROM edge ORDER BY id");
-    while (edges.step()) {
-      map.apply(EdgeAdded{{{edges.integer(0)},
-                           {edges.integer(1)},
-                           {edges.integer(2)},
-                           edges.real(3),
-                           edges.real(4),
-                           edges.real(5)}});
-    }
+    return {nodes, edges, nextNode, nextEdge};
   }
   catch (const LogicError &error) {
     damaged(database, error.what());
   }
-  return map;
 }
 
 } // namespace homeward

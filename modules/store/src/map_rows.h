@@ -8,22 +8,18 @@
 namespace homeward
 {
 
-/** Makes the tables of a new map and marks the file as one. */
-void createTables(Database &database);
-
-/** @throw StoreError unless the file is a sound map of a version that can be read */
-void checkTables(Database &database);
-
-/** Brings a map of an older version to today's, all or nothing; for files opened to be written. */
-void migrateTables(Database &database);
-
 void writeHeader(Database &database, const MapHeader &header);
 
 /** @throw StoreError when a key is missing or no number where one is needed */
 MapHeader readHeader(Database &database);
 
-void writeChange(Database &database, const MapChange &change);
+/** Makes of the rows of `before` those of `after`; the views of what is gone go too. */
+void writeDifference(Database &database, const TopologicalMap &before, const TopologicalMap &after);
+
 void writeView(Database &database, const NewView &view);
+/** The node has a view. */
+void replaceView(Database &database, const NewView &view);
+
 void writeLog(Database &database, const std::vector<LogLine> &lines);
 void writeValues(Database &database, const std::map<std::string, std::string> &values);
 

@@ -8,7 +8,7 @@ namespace homeward
 {
 
 NodeViews::NodeViews(const MapFile &file, std::size_t capacity)
-    : m_file(&file), m_capacity(capacity)
+    : m_file(&file), m_capacity(capacity), m_pictureChanges(file.pictureChanges())
 {
   if (capacity == 0) {
     throw LogicError("node views: capacity 0, at least 1 is needed");
@@ -17,6 +17,10 @@ NodeViews::NodeViews(const MapFile &file, std::size_t capacity)
 
 Panorama NodeViews::operator()(NodeId node)
 {
+  if (m_file->pictureChanges() != m_pictureChanges) {
+    m_recent.clear();
+    m_pictureChanges = m_file->pictureChanges();
+  }
   const auto known = std::find_if(m_recent.begin(), m_recent.end(),
                                   [&](const auto &entry) { return entry.first == node; });
   if (known != m_recent.end()) {

@@ -7,9 +7,10 @@ namespace homeward
 {
 
 /**
- * A map as text for comparing: header, places, directions, edges and the hash of each stored
- * picture, in order of ids, angles with six decimals (radians), no wall-clock time, no run log. Two
- * maps that grew alike give the same text. The first line names the format's version.
+ * A map as text for comparing: header, places with their names, directions, edges with what came of
+ * driving them, and the hash of each stored picture, in order of ids, numbers with six decimals
+ * (radians, metres, seconds), no time of day, no run log, no journal. Two maps that grew alike give
+ * the same text. The first line names the format's version.
  * @throw StoreError when a picture cannot be read
  */
 std::string exportCanonical(const MapFile &file);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace homeward
@@ -46,22 +47,35 @@ struct LogLine
   bool operator==(const LogLine &) const = default;
 };
 
-/** All that one step adds to a map, in one transaction. */
+/** All that one step changes in a map, in one transaction. */
 struct MapUpdate
 {
   std::vector<MapChange> changes = {};
-  std::optional<NewView> view = std::nullopt;
+  std::optional<NewView> view = std::nullopt; ///< of a node that has none
+  /** Newer pictures of nodes that have one, turned to the heading that the node was stored with. */
+  std::vector<NewView> refreshes = {};
   std::vector<LogLine> log = {};
   std::map<std::string, std::string> values = {}; ///< free keys; an old value is replaced
+};
+
+/** An edit that the file remembers and can take back. */
+struct JournalEntry
+{
+  std::int64_t number = 0; ///< counts from 1
+  std::string description;
+  bool undone = false;
+
+  bool operator==(const JournalEntry &) const = default;
 };
 
 /**
  * A map on disk: one SQLite file with the graph, each place's picture, the header and the run log.
  *
- * Every append() is one transaction: after a crash, a full disk or any other failure the file holds
- * all of an update or nothing of it. A new map is built under the name `<file>.part` and gets its
- * own name only when its first place is safely in it: until then an older map of that name stays,
- * and no map without a place or without a header can ever be found there.
+ * Every append(), edit() and undo() is one transaction: after a crash, a full disk or any other
+ * failure the file holds all of an update or nothing of it. A new map is built under the name
+ * `<file>.part` and gets its own name only when its first place is safely in it: until then an
+ * older map of that name stays, and no map without a place or without a header can ever be found
+ * there.
  *
  * One program writes, others may read at the same time (SQLite's write-ahead log). close() folds
  * the log in, so that one plain file remains. Not for use from two threads at once.
@@ -109,13 +123,35 @@ public:
   const TopologicalMap &map() const { return m_map; }
 
   /**
-   * Adds all of an update, or nothing.
+   * Makes all of an update, or nothing. What is removed takes its picture along.
    * @throw LogicError when a change breaks a rule of TopologicalMap, the view's node is unknown or
-   * has a view already, the file was opened for reading or is closed; nothing is written then
+   * has a view already, a refreshed one has none, the file was opened for reading or is closed;
+   * nothing is written then
    * @throw StoreError when it cannot be written, or another program wrote since it was opened; the
    * map stays as it was
    */
   void append(const MapUpdate &update);
+
+  /**
+   * As append(), and the file remembers how to take it back.
+   * @param description for people, one line
+   * @return its number in the journal
+   */
+  std::int64_t edit(const std::string &description, const MapUpdate &update);
+
+  /**
+   * Takes back the newest edit that was not undone yet; removed nodes come back with their
+   * pictures.
+   * @throw StoreError when there is none, or when what it changed was changed again since; the map
+   * stays as it was
+   */
+  JournalEntry undo();
+
+  /** Every edit, oldest first. @throw StoreError */
+  std::vector<JournalEntry> journal() const;
+
+  /** How many times pictures were replaced or removed since the file was opened. */
+  std::int64_t pictureChanges() const { return m_pictureChanges; }
 
   /** Whether the node has a picture. */
   bool hasView(NodeId node) const;
@@ -152,7 +188,14 @@ private:
   Database &database() const;
   void load();
   void beginWriting();
-  void write(const MapUpdate &update);
+  void expectWritable() const;
+  TopologicalMap changed(const MapUpdate &update) const;
+  void expectOwn() const;
+  void write(const MapUpdate &update, const TopologicalMap &grown);
+  std::int64_t writeEdit(const std::string &description, const MapUpdate &update,
+                         const TopologicalMap &grown);
+  std::pair<JournalEntry, std::vector<unsigned char>> newestEdit() const;
+  void finish(const MapUpdate &update, TopologicalMap grown);
   void publish();
 
   std::filesystem::path m_path;
@@ -161,6 +204,7 @@ private:
   IfExists m_ifExists = IfExists::Refuse;
   bool m_published = true;        ///< false while it is still `<file>.part`
   std::int64_t m_dataVersion = 0; ///< changes when another program writes
+  std::int64_t m_pictureChanges = 0;
   MapHeader m_header;
   TopologicalMap m_map;
 };

@@ -23,6 +23,7 @@ public:
 private:
   const MapFile *m_file;
   std::size_t m_capacity;
+  std::int64_t m_pictureChanges;                   ///< of the file, when the pictures were read
   std::list<std::pair<NodeId, Panorama>> m_recent; ///< latest first
 };
 
