@@ -53,7 +53,7 @@ public:
     if (arguments.verbose) {
       m_pilot.trace = [this](const std::string &line) { say(line); };
     }
-    m_pilot.onView = [this] { m_viewTruth = m_robot->truth().value_or(Truth{}).pose; };
+    m_pilot.onView = [this] { followView(); };
     rememberAll(m_file, m_pilot);
   }
 
@@ -62,12 +62,10 @@ public:
     const Explorer explorer(explorerOptions(m_arguments.settings));
     const auto enough = [this] { return seconds() > m_arguments.settings.maxTime; };
     const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
-    Finish finish = runMission(explorer, explorer.start(m_file.map()), m_pilot, m_file.map(),
-                               &m_file, m_devices.clock, m_counts, enough, onStep);
+    const ExplorerState before = keptExploration(m_file).value_or(ExplorerState{});
+    Finish finish = runMission(explorer, explorer.resume(before, m_file.map()), m_pilot,
+                               m_file.map(), &m_file, m_devices.clock, m_counts, enough, onStep);
     endProgress();
-    if (!m_file.map().nodes().empty()) {
-      saveTruth();
-    }
     m_file.close();
     return finish;
   }
@@ -149,6 +147,9 @@ private:
     if (!m_before) {
       m_truth.start = pose;
     }
+    if (!m_before && m_file.map().nodes().size() <= 1) {
+      m_truth.nodes[NodeId{0}] = pose; // the first is made where the robot stands
+    }
     m_truth.end = pose;
   }
 
@@ -191,22 +192,28 @@ private:
     std::fflush(stdout);
     if (const std::optional<Truth> truth = m_robot->truth()) {
       m_truth.path.push_back(truth->pose.translation());
-    }
-    for (const MapChange &change : step.changes) {
-      if (const auto *added = std::get_if<NodeAdded>(&change)) {
-        m_truth.nodes[added->node.id] = m_viewTruth;
-        saveTruth();
-      }
+      saveTruth(truth->pose);
     }
     showProgress(std::string(timeName()) + " " + std::to_string(std::lround(seconds())) +
                  " s, nodes " + std::to_string(m_file.map().nodes().size()) + ", open directions " +
                  std::to_string(m_file.map().openDirectionCount()));
   }
 
-  void saveTruth()
+  /** Known and on disk before the node that is made of the view: a crash leaves none without. */
+  void followView()
   {
     if (const std::optional<Truth> truth = m_robot->truth()) {
-      m_truth.end = truth->pose;
+      m_truth.nodes[m_file.map().nextNodeId()] = truth->pose;
+      saveTruth(truth->pose);
+    }
+  }
+
+  /** After every step, so that a simulated robot goes on near where a crash has left it; an older
+   * map that is to be replaced keeps its own until the new one has a place. */
+  void saveTruth(const Pose2 &pose)
+  {
+    if (!m_file.map().nodes().empty()) {
+      m_truth.end = pose;
       saveTruthLog(truthLogFile(m_arguments.map), m_truth);
     }
   }
@@ -220,7 +227,6 @@ private:
   MapFile m_file;
   Pilot m_pilot;
   TruthLog m_truth;
-  Pose2 m_viewTruth; ///< where the last survey's picture was taken
   MissionCounts m_counts;
 };
 

@@ -24,14 +24,27 @@ class Stepper
 public:
   Stepper(const ExplorerOptions &options, const ExplorerState &state, const TopologicalMap &map)
       : m_options(options), m_map(map), m_step{state, Finish{}, {}, {}}
-  {}
+  {
+    ++m_step.state.steps;
+  }
 
   Step<ExplorerState> take() { return std::move(m_step); }
 
-  void start()
+  /** Where nobody knows which place the robot left and what it drove since. */
+  void begin()
   {
+    ExplorerState &state = m_step.state;
+    const bool finished = state.phase == Phase::Finished;
+    ExplorerState kept;
+    kept.steps = state.steps;
+    kept.failures = std::move(state.failures);
+    kept.attempts = std::move(state.attempts);
+    state = std::move(kept);
     if (m_map.nodes().empty()) {
       survey();
+    }
+    else if (finished || m_map.openDirectionCount() == 0) {
+      end();
     }
     else {
       ask(Phase::Relocating, Recognise{});
@@ -146,6 +159,7 @@ public:
   void strode(const Driven &report)
   {
     m_step.state.chord = report.chord;
+    m_step.state.strode = true;
     home(Phase::Following, m_step.state.route.front(), std::nullopt);
   }
 
@@ -192,13 +206,37 @@ public:
     }
   }
 
-  void finish(Outcome outcome, const std::string &reason)
+  /** The command that the state waits for an answer to. */
+  Command pending() const
   {
-    m_step.state.phase = Phase::Finished;
-    m_step.command = Finish{outcome, reason};
-    if (outcome == Outcome::Done) {
-      m_step.log.push_back("EXPLORATION DONE - -");
+    const ExplorerState &state = m_step.state;
+    switch (state.phase) {
+    case Phase::Surveying:
+      return Survey{};
+    case Phase::Driving:
+      return drive(directionDriven());
+    case Phase::Classifying:
+    case Phase::Relocating:
+      return Recognise{};
+    case Phase::Homing:
+    case Phase::Returning:
+      return homeTo(std::nullopt);
+    case Phase::Following:
+      return homeTo(state.strode
+                        ? std::nullopt
+                        : m_map.departureBearing(named(state.origin), named(state.target)));
+    case Phase::Striding:
+      return named(stride());
+    case Phase::Finished:
+      break;
     }
+    return ending();
+  }
+
+  void interrupt()
+  {
+    --m_step.state.steps;
+    m_step.command = Finish{Outcome::Stopped, "interrupted"};
   }
 
 private:
@@ -216,13 +254,87 @@ private:
 
   void survey() { ask(Phase::Surveying, Survey{}); }
 
-  /** Where places far round are alike, only sight tells that it is the one. */
+  /** @param surely to make sure of the node, whatever the ways say */
   void home(Phase phase, NodeId node, std::optional<double> departure, bool surely = false)
   {
-    m_step.state.target = node;
-    const auto off = phase == Phase::Following ? std::optional(Offset{}) : offset(node);
-    ask(phase,
-        HomeTo{node, departure, false, surely || !off || off->error > m_options.surelyBeyond});
+    ExplorerState &state = m_step.state;
+    state.phase = phase;
+    state.target = node;
+    state.surely = surely;
+    m_step.command = homeTo(departure);
+  }
+
+  /** Where places far round are alike, only sight tells that it is the one. */
+  HomeTo homeTo(std::optional<double> departure) const
+  {
+    const ExplorerState &state = m_step.state;
+    const NodeId node = named(state.target);
+    const auto off = state.phase == Phase::Following ? std::optional(Offset{}) : offset(node);
+    const bool far = !off || off->error > m_options.surelyBeyond;
+    return {node, departure, false, state.surely || far};
+  }
+
+  /** The next leg by its bearing and length, when it has failed and the map knows both. */
+  std::optional<DriveDirection> stride() const
+  {
+    const ExplorerState &state = m_step.state;
+    if (!m_options.strides || state.route.empty()) {
+      return std::nullopt;
+    }
+    const NodeId origin = named(state.origin);
+    const std::optional<double> departure = m_map.departureBearing(origin, state.route.front());
+    const std::optional<Edge> edge = m_map.edgeBetween(origin, state.route.front());
+    if (!departure || !edge->length || !state.failures.contains(edge->id)) {
+      return std::nullopt;
+    }
+    return DriveDirection{*departure, *edge->length};
+  }
+
+  DriveDirection drive(const Direction &direction) const
+  {
+    return {direction.bearing, m_options.forwardDistance};
+  }
+
+  const Direction &directionDriven() const
+  {
+    const std::vector<Direction> &directions = m_map.node(named(m_step.state.origin)).directions;
+    const DirectionId wanted = named(m_step.state.direction);
+    const auto found = std::find_if(directions.begin(), directions.end(),
+                                    [&](const Direction &each) { return each.id == wanted; });
+    if (found == directions.end()) {
+      throw LogicError("the exploration drives direction " + std::to_string(wanted.value) +
+                       " of a node that has none such");
+    }
+    return *found;
+  }
+
+  /** What the phase cannot be without. */
+  template <class Id> static Id named(const std::optional<Id> &id)
+  {
+    if (!id) {
+      throw LogicError("the exploration's state lacks what its phase needs");
+    }
+    return *id;
+  }
+
+  bool tooManyNodes() const { return static_cast<int>(m_map.nodes().size()) > m_options.maxNodes; }
+
+  Finish ending() const
+  {
+    if (tooManyNodes()) {
+      return {Outcome::Failed, "the map has grown beyond " + std::to_string(m_options.maxNodes) +
+                                   " nodes; places are not recognised again"};
+    }
+    return {Outcome::Done, "no reachable node has an open direction"};
+  }
+
+  void end()
+  {
+    const Finish finish = ending();
+    ask(Phase::Finished, finish);
+    if (finish.outcome == Outcome::Done) {
+      m_step.log.push_back("EXPLORATION DONE - -");
+    }
   }
 
   void change(const MapChange &made)
@@ -374,9 +486,8 @@ private:
     state.target.reset();
     state.route.clear();
     state.retries = 0;
-    if (static_cast<int>(m_map.nodes().size()) > m_options.maxNodes) {
-      finish(Outcome::Failed, "the map has grown beyond " + std::to_string(m_options.maxNodes) +
-                                  " nodes; places are not recognised again");
+    if (tooManyNodes()) {
+      end();
       return;
     }
     closeKnown(node);
@@ -386,7 +497,7 @@ private:
         if (!again) {
           state.vain.clear();
         }
-        ask(Phase::Driving, DriveDirection{direction.bearing, m_options.forwardDistance});
+        ask(Phase::Driving, drive(direction));
         return;
       }
     }
@@ -412,7 +523,7 @@ private:
         return;
       }
       closeUnreachable();
-      finish(Outcome::Done, "no reachable node has an open direction");
+      end();
       return;
     }
     state.stranded = 0;
@@ -424,7 +535,7 @@ private:
   /** So that whoever reads the map knows why nobody has driven there. */
   void closeUnreachable()
   {
-    const std::map<NodeId, Node> nodes = m_map.nodes();
+    const auto nodes = m_map.nodes();
     for (const auto &[id, node] : nodes) {
       for (const Direction &direction : node.directions) {
         if (direction.state == DirectionState::Open) {
@@ -469,16 +580,14 @@ private:
 
   void followRoute()
   {
-    const ExplorerState &state = m_step.state;
-    const NodeId next = state.route.front();
-    const std::optional<double> departure = m_map.departureBearing(*state.origin, next);
-    const std::optional<Edge> edge = m_map.edgeBetween(*state.origin, next);
-    const bool failed = edge && state.failures.contains(edge->id);
-    if (failed && m_options.strides && departure && edge->length) {
-      ask(Phase::Striding, DriveDirection{*departure, *edge->length});
+    ExplorerState &state = m_step.state;
+    state.strode = false;
+    if (const auto drive = stride()) {
+      ask(Phase::Striding, *drive);
       return;
     }
-    home(Phase::Following, next, departure);
+    const NodeId next = state.route.front();
+    home(Phase::Following, next, m_map.departureBearing(*state.origin, next));
   }
 
   const ExplorerOptions &m_options;
@@ -498,9 +607,19 @@ Explorer::Explorer(const ExplorerOptions &options) : m_options(options)
 
 Step<ExplorerState> Explorer::start(const TopologicalMap &map) const
 {
-  Stepper stepper(m_options, ExplorerState{}, map);
-  stepper.start();
+  return resume(ExplorerState{}, map);
+}
+
+Step<ExplorerState> Explorer::resume(const State &state, const TopologicalMap &map) const
+{
+  Stepper stepper(m_options, state, map);
+  stepper.begin();
   return stepper.take();
+}
+
+Command Explorer::pending(const State &state, const TopologicalMap &map) const
+{
+  return Stepper(m_options, state, map).pending();
 }
 
 Step<ExplorerState> Explorer::next(const State &state, const TopologicalMap &map,
@@ -508,7 +627,7 @@ Step<ExplorerState> Explorer::next(const State &state, const TopologicalMap &map
 {
   Stepper stepper(m_options, state, map);
   if (std::holds_alternative<Interrupted>(report)) {
-    stepper.finish(Outcome::Stopped, "interrupted");
+    stepper.interrupt();
     return stepper.take();
   }
   switch (state.phase) {

@@ -14,15 +14,8 @@ void MissionCounts::note(const Report &report)
   }
 }
 
-void rememberAll(const MapFile &file, Pilot &pilot)
-{
-  for (const auto &[id, node] : file.map().nodes()) {
-    pilot.remember(id, file.panorama(id));
-  }
-}
-
-void keepStep(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
-              Pilot &pilot, const TopologicalMap &map, MapFile *file, Time now)
+MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
+                   const Panorama &view, Time now)
 {
   MapUpdate update;
   update.changes = changes;
@@ -31,16 +24,10 @@ void keepStep(const std::vector<MapChange> &changes, const std::vector<std::stri
   }
   for (const MapChange &change : changes) {
     if (const auto *added = std::get_if<NodeAdded>(&change)) {
-      update.view = NewView{added->node.id, encodeView(pilot.view())};
+      update.view = NewView{added->node.id, encodeView(view)};
     }
   }
-  if (file != nullptr &&
-      (!update.changes.empty() || (!update.log.empty() && !map.nodes().empty()))) {
-    file->append(update);
-  }
-  if (update.view) {
-    pilot.remember(update.view->node, decodeView(update.view->bytes, pilot.view().geometry));
-  }
+  return update;
 }
 
 } // namespace homeward

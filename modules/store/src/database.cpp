@@ -19,9 +19,8 @@ int openFlags(Database::Mode mode)
   case Database::Mode::Create:
     return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   case Database::Mode::ReadWrite:
+  case Database::Mode::Read: // what a killed writer left half done must be undone to read the file
     return SQLITE_OPEN_READWRITE;
-  case Database::Mode::Read:
-    return SQLITE_OPEN_READONLY;
   }
   throw LogicError("database: unknown mode");
 }
@@ -59,6 +58,9 @@ Database::Database(std::filesystem::path file, Mode mode) : m_file(std::move(fil
   }
   sqlite3_extended_result_codes(m_handle, 1);
   sqlite3_busy_timeout(m_handle, kBusyTimeout);
+  if (mode == Mode::Read) {
+    execute("PRAGMA query_only = ON");
+  }
 }
 
 Database::~Database()

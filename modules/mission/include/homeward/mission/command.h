@@ -23,18 +23,24 @@ const char *name(Outcome outcome);
 
 /** Look around here: a panorama and the open directions of a full turn. Answer: Surveyed. */
 struct Survey
-{};
+{
+  bool operator==(const Survey &) const = default;
+};
 
 /** Turn to a direction of the node the robot stands at and drive. Answer: Driven. */
 struct DriveDirection
 {
   double bearing = 0.0;  ///< radians, counter-clockwise from the node's stored heading
   double distance = 0.0; ///< metres
+
+  bool operator==(const DriveDirection &) const = default;
 };
 
 /** Compare the view with every known place. Answer: Recognised. */
 struct Recognise
-{};
+{
+  bool operator==(const Recognise &) const = default;
+};
 
 /** Drive to a node by sight. Answer: Homed. */
 struct HomeTo
@@ -50,6 +56,8 @@ struct HomeTo
   bool closely = false;
   /** Seconds after which it is given up; the pilot's own when not given. */
   std::optional<double> patience = std::nullopt;
+
+  bool operator==(const HomeTo &) const = default;
 };
 
 /** Stand still: the mission is over. */
@@ -57,6 +65,8 @@ struct Finish
 {
   Outcome outcome = Outcome::Done;
   std::string reason;
+
+  bool operator==(const Finish &) const = default;
 };
 
 /** What the pilot is to do next. */

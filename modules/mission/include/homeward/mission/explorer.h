@@ -29,11 +29,14 @@ struct ExplorerState
     Finished
   };
 
+  int steps = 0; ///< taken so far
   Phase phase = Phase::Surveying;
   std::optional<NodeId> origin;         ///< the node stood at last
   std::optional<DirectionId> direction; ///< of origin, being driven
   std::vector<NodeId> route;            ///< still to visit, the next first
   std::optional<NodeId> target;         ///< of the homing under way
+  bool surely = false;                  ///< it is to be made sure of, whatever the ways say
+  bool strode = false;                  ///< the leg under way was driven by its length already
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
   std::map<NodeId, int> vain;           ///< homings that did not arrive since the robot last got on
@@ -41,6 +44,8 @@ struct ExplorerState
   std::map<EdgeId, int> failures; ///< legs that were not driven to their end
   std::map<std::pair<NodeId, DirectionId>, int> attempts; ///< drives that led to no edge
   Chord chord; ///< from the origin to where the robot stands
+
+  bool operator==(const ExplorerState &) const = default;
 };
 
 /** Settings of an exploration. */
@@ -115,11 +120,29 @@ public:
   /** @throw LogicError for a distance that is not positive */
   explicit Explorer(const ExplorerOptions &options);
 
-  /** The first step: on an empty map a survey, else a look at which known place this is. */
+  /** The first step: on an empty map a survey, else resume() with nothing learnt. */
   Step<State> start(const TopologicalMap &map) const;
 
-  /** The step that follows a report. @throw LogicError when the report does not answer the phase */
+  /**
+   * The step that follows a report. An interruption leaves the state as it was, waiting for the
+   * answer to the same command. @throw LogicError when the report does not answer the phase
+   */
   Step<State> next(const State &state, const TopologicalMap &map, const Report &report) const;
+
+  /**
+   * The command that a state waits for an answer to; Finish when it waits for none. So a step is
+   * taken up again exactly, as long as the robot stands where it stood and its odometry goes on.
+   * @throw LogicError when the state is of another map
+   */
+  Command pending(const State &state, const TopologicalMap &map) const;
+
+  /**
+   * The first step of an exploration that is taken up again by a robot that may stand anywhere: a
+   * look at which known place this is. What was learnt of ways and directions is kept; the place
+   * left and the way since are not, so that no edge can start at a place that nobody drove from.
+   * Finish when nothing is left to explore.
+   */
+  Step<State> resume(const State &state, const TopologicalMap &map) const;
 
 private:
   ExplorerOptions m_options;

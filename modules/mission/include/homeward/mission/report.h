@@ -17,6 +17,8 @@ struct Chord
   double travelled = 0.0;       ///< along the path driven, metres
   double bearingAtOrigin = 0.0; ///< radians from the stored heading of the node left
   double bearingAtHere = 0.0;   ///< back to it; radians from the heading of the place reached
+
+  bool operator==(const Chord &) const = default;
 };
 
 /** One known place that the view may show. */

@@ -4,6 +4,7 @@
 #include <homeward/mission/step.h>
 #include <homeward/pilot/pilot.h>
 #include <homeward/robot/clock.h>
+#include <homeward/run/kept_exploration.h>
 #include <homeward/store/map_file.h>
 
 namespace homeward
@@ -19,33 +20,71 @@ struct MissionCounts
   void note(const Report &report);
 };
 
-/** Makes every place of a map known to the pilot by sight. */
-void rememberAll(const MapFile &file, Pilot &pilot);
+/** Makes every place of a map known by sight to a pilot (Pilot, or what stands in for it). */
+template <class AnyPilot> void rememberAll(const MapFile &file, AnyPilot &pilot)
+{
+  for (const auto &[id, node] : file.map().nodes()) {
+    pilot.remember(id, file.panorama(id));
+  }
+}
+
+/** What a mission keeps of its state in the map file; nothing of one that makes no map. */
+template <class State> std::map<std::string, std::string> keptValues(const State & /*state*/)
+{
+  return {};
+}
+
+/** An exploration keeps all of it. */
+inline std::map<std::string, std::string> keptValues(const ExplorerState &state)
+{
+  return {{kExplorationKey, explorerStateJson(state)}};
+}
 
 /**
- * Puts what a step changes into the map file, in one transaction with its log lines; a new node is
- * known to the pilot by the picture as stored.
- * @param map the one that the changes are for; the file's when there is one
- * @param file open for writing, or null when the mission changes no map
+ * What a step puts into the map file.
+ * @param view of the place surveyed last, which a new node is seen by
  * @param now robot time of the log lines
  */
-void keepStep(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
-              Pilot &pilot, const TopologicalMap &map, MapFile *file, Time now);
+MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
+                   const Panorama &view, Time now);
 
 /**
- * Runs a mission to its end: what a step changes is in the map file before its command goes to the
- * pilot.
+ * Puts a step into the map file, in one transaction: changes, the new node's view, log lines and
+ * the mission's state. Then the new node is known to the pilot, by the picture as stored.
+ *
+ * Every step is written once the map has a place, also one that changes nothing: what it learnt (a
+ * leg that failed, a drive that led nowhere) must not be learnt again after a crash, steps are
+ * seconds apart and a transaction takes milliseconds.
+ * @param file open for writing, or null when the mission changes no map
+ */
+template <class State, class AnyPilot>
+void keepStep(const Step<State> &step, AnyPilot &pilot, MapFile *file, Time now)
+{
+  MapUpdate update = updateOf(step.changes, step.log, pilot.view(), now);
+  if (file != nullptr && (!file->map().nodes().empty() || !step.changes.empty())) {
+    update.values = keptValues(step.state);
+    file->append(update);
+  }
+  if (update.view) {
+    pilot.remember(update.view->node, decodeView(update.view->bytes, pilot.view().geometry));
+  }
+}
+
+/**
+ * Runs a mission to its end: a step is in the map file before its command goes to the pilot.
+ * @param pilot a Pilot, or what stands in for it: execute(Command), view(), remember()
+ * @param map the one that the changes are for; the file's when there is one
  * @param file open for writing, or null when the mission changes no map
  * @param enough asked after every command; true ends the mission as an interruption does
  * @param onStep called with every step after it was stored
  */
-template <class Mission, class Enough, class OnStep>
-Finish runMission(const Mission &mission, Step<typename Mission::State> step, Pilot &pilot,
+template <class Mission, class AnyPilot, class Enough, class OnStep>
+Finish runMission(const Mission &mission, Step<typename Mission::State> step, AnyPilot &pilot,
                   const TopologicalMap &map, MapFile *file, const Clock &clock,
                   MissionCounts &counts, Enough enough, OnStep onStep)
 {
   while (true) {
-    keepStep(step.changes, step.log, pilot, map, file, clock.now());
+    keepStep(step, pilot, file, clock.now());
     onStep(step);
     if (const auto *finish = std::get_if<Finish>(&step.command)) {
       pilot.execute(step.command);

@@ -36,6 +36,8 @@ public:
                '.';
   }
 
+  Cell robot() const { return m_robot; }
+
   /** Carries a command out. */
   Report execute(const Command &command)
   {
