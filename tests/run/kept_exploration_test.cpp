@@ -25,6 +25,8 @@ ExplorerState anyState()
   state.direction = DirectionId{1};
   state.route = {NodeId{2}, NodeId{5}};
   state.target = NodeId{2};
+  state.surely = true;
+  state.strode = true;
   state.dissimilarity = 218.2;
   state.retries = 1;
   state.vain = {{NodeId{4}, 2}};
