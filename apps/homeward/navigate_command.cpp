@@ -84,18 +84,20 @@ int navigate(const NavigateArguments &arguments)
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
   const Devices devices = robot->devices();
+  const Clock &clock = devices.clock;
+  const Time start = clock.now();
+  const auto seconds = [&] { return toSeconds(clock.now() - start); };
   Pilot pilot(devices, robot->files().robot, robot->files().camera, options, stopSignal());
   if (arguments.verbose) {
-    pilot.trace = [](const std::string &line) { std::printf("  # %s\n", line.c_str()); };
+    pilot.trace = [&](const std::string &line) {
+      std::printf("  # %.1f s %s\n", seconds(), line.c_str());
+    };
   }
   rememberAll(file, pilot);
 
   const Navigator navigator({});
   MissionCounts counts;
   std::vector<NodeId> visited;
-  const Clock &clock = devices.clock;
-  const Time start = clock.now();
-  const auto seconds = [&] { return toSeconds(clock.now() - start); };
   const auto enough = [&] { return seconds() > arguments.maxTime; };
   const auto onStep = [&](const Step<NavigatorState> &step) {
     endProgress();

@@ -114,19 +114,57 @@ public:
   }
 
   /** However far it came, the next place is nearer now and looks more like it. */
-  void strode(const Driven & /*report*/) { homeToNext(std::nullopt); }
+  void strode(const Driven &report)
+  {
+    const NavigatorState &state = m_step.state;
+    const Edge edge = *m_map.edgeBetween(*state.here, state.route.front());
+    const bool barred = report.blocked && report.chord.distance < *edge.length - kShort;
+    if (barred && !state.lastTry) {
+      goRound(edge);
+    }
+    else {
+      homeToNext(std::nullopt);
+    }
+  }
+
+  /** Back to the node left. */
+  void goBack()
+  {
+    NavigatorState &state = m_step.state;
+    state.phase = Phase::Returning;
+    m_step.command = HomeTo{*state.here, std::nullopt, *state.here == state.goal};
+  }
+
+  void wentBack(const Homed &report)
+  {
+    if (report.end != HomingEnd::Arrived) {
+      locate();
+      return;
+    }
+    stand(*m_step.state.here);
+    plan();
+  }
 
   void followed(const Homed &report)
   {
     NavigatorState &state = m_step.state;
     const NodeId target = state.route.front();
     const NodeId from = *state.here;
+    const std::optional<Edge> edge = m_map.edgeBetween(from, target);
     if (report.end != HomingEnd::Arrived) {
-      if (const auto edge = m_map.edgeBetween(from, target)) {
+      if (edge) {
         ++state.failures[edge->id];
       }
-      locate();
+      if (edge && (report.end == HomingEnd::Blocked || report.end == HomingEnd::TimedOut)) {
+        goRound(*edge);
+      }
+      else {
+        locate();
+      }
       return;
+    }
+    if (edge && state.blocked.erase(edge->id) != 0) {
+      state.lastTry = false;
     }
     m_step.log.push_back(explorationLine("Navigation", from, target, std::nullopt));
     state.route.erase(state.route.begin());
@@ -147,6 +185,7 @@ public:
 
 private:
   static constexpr double kBack = radians(60.0);
+  static constexpr double kShort = 0.5; ///< metres of a way left undriven that say it is barred
   static constexpr int kLooksAlike =
       2; ///< so many barred ones an approach that ended "lost" counts as
 
@@ -210,16 +249,58 @@ private:
     finish(Outcome::Done, "arrived at node " + std::to_string(m_step.state.goal.value));
   }
 
+  /** From the node left, over what is not known to be barred. */
+  std::optional<std::vector<NodeId>> freePath() const
+  {
+    const NavigatorState &state = m_step.state;
+    return overSoundEdges(state.failures, m_options.legTries, [&](std::set<EdgeId> avoided) {
+      avoided.insert(state.blocked.begin(), state.blocked.end());
+      return shortestPath(m_map, *state.here, state.goal, avoided);
+    });
+  }
+
+  /** Another way begins at the node left; without one it tries again from where it stands. */
+  void goRound(const Edge &edge)
+  {
+    NavigatorState &state = m_step.state;
+    state.blocked.insert(edge.id);
+    ++state.vain[state.route.front()];
+    if (freePath()) {
+      goBack();
+    }
+    else if (!state.lastTry) {
+      state.lastTry = true;
+      homeToNext(std::nullopt);
+    }
+    else {
+      unreachable();
+    }
+  }
+
+  void unreachable()
+  {
+    const NavigatorState &state = m_step.state;
+    std::string reason = "unreachable: no way from node " + std::to_string(state.here->value) +
+                         " to node " + std::to_string(state.goal.value);
+    const char *separator = "; blocked: ";
+    for (const EdgeId id : state.blocked) {
+      const Edge &edge = m_map.edges().at(id);
+      reason += separator + std::to_string(edge.a.value) + " - " + std::to_string(edge.b.value);
+      separator = ", ";
+    }
+    finish(Outcome::Failed, reason);
+  }
+
   void plan()
   {
     NavigatorState &state = m_step.state;
-    const auto path =
-        overSoundEdges(state.failures, m_options.legTries, [&](const std::set<EdgeId> &blocked) {
-          return shortestPath(m_map, *state.here, state.goal, blocked);
-        });
+    std::optional<std::vector<NodeId>> path = freePath();
+    if (!path && !state.blocked.empty() && !state.lastTry) {
+      state.lastTry = true;
+      path = shortestPath(m_map, *state.here, state.goal);
+    }
     if (!path) {
-      finish(Outcome::Failed, "unreachable: no way from node " + std::to_string(state.here->value) +
-                                  " to node " + std::to_string(state.goal.value));
+      unreachable();
       return;
     }
     state.route.assign(path->begin() + 1, path->end());
@@ -249,7 +330,14 @@ private:
   {
     NavigatorState &state = m_step.state;
     state.phase = Phase::Following;
-    m_step.command = HomeTo{state.route.front(), departure, state.route.size() == 1};
+    HomeTo leg{state.route.front(), departure, state.route.size() == 1};
+    const std::optional<double> bearing =
+        m_map.departureBearing(*state.here, state.route.front());
+    const std::optional<Edge> edge = m_map.edgeBetween(*state.here, state.route.front());
+    if (bearing && edge->length) {
+      leg.way = Way{*bearing, *edge->length};
+    }
+    m_step.command = leg;
   }
 
   const NavigatorOptions &m_options;
@@ -261,15 +349,24 @@ private:
 
 Navigator::Navigator(const NavigatorOptions &options) : m_options(options) {}
 
-Step<NavigatorState> Navigator::start(const TopologicalMap &map, NodeId goal) const
+Step<NavigatorState> Navigator::start(const TopologicalMap &map, NodeId goal,
+                                      std::optional<NodeId> left) const
 {
-  if (!map.nodes().contains(goal)) {
-    throw LogicError("the map has no node " + std::to_string(goal.value));
+  for (const NodeId node : {goal, left.value_or(goal)}) {
+    if (!map.contains(node)) {
+      throw LogicError("the map has no node " + std::to_string(node.value));
+    }
   }
   NavigatorState state;
   state.goal = goal;
+  state.here = left;
   Stepper stepper(m_options, state, map);
-  stepper.locate();
+  if (left) {
+    stepper.goBack();
+  }
+  else {
+    stepper.locate();
+  }
   return stepper.take();
 }
 
@@ -299,6 +396,9 @@ Step<NavigatorState> Navigator::next(const State &state, const TopologicalMap &m
     break;
   case Phase::Following:
     stepper.followed(answer<Homed>(report));
+    break;
+  case Phase::Returning:
+    stepper.wentBack(answer<Homed>(report));
     break;
   case Phase::Finished:
     throw LogicError("the navigation has finished; no report can follow");

@@ -27,8 +27,14 @@ HomingRun::HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions 
       m_hereProxy(options.arrivedProxy), m_nearProxy(options.nearProxy)
 {}
 
-HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
+HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly,
+                                 std::optional<Eigen::Vector2d> oPlace)
 {
+  m_oPlace = oPlace;
+  if (oPlace) {
+    m_options.retreats = m_options.retreatsOnWay;
+    m_options.detours = 0;
+  }
   if (oDeparture) {
     m_motion.turnTo(*oDeparture);
   }
@@ -54,10 +60,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
       return ends(HomingEnd::Lost);
     }
     search();
-    if ((m_motion.pose().translation() - m_gotOnAt).norm() > m_options.headway) {
-      m_gotOnAt = m_motion.pose().translation();
-      m_gotOn = now;
-    }
+    noteHeadway();
     if (toSeconds(now - m_lastFree) > m_options.blockedSeconds ||
         toSeconds(now - m_gotOn) > m_options.headwaySeconds) {
       if (beside()) {
@@ -74,6 +77,18 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly)
       return ends(HomingEnd::TimedOut);
     }
     drive(wayHome(oDeparture));
+  }
+}
+
+/** Anywhere; where the map says where the place is, towards it. */
+void HomingRun::noteHeadway()
+{
+  const Eigen::Vector2d oHere = m_motion.pose().translation();
+  const double headway = m_oPlace ? (m_gotOnAt - *m_oPlace).norm() - (oHere - *m_oPlace).norm()
+                                  : (oHere - m_gotOnAt).norm();
+  if (headway > m_options.headway) {
+    m_gotOnAt = oHere;
+    m_gotOn = m_motion.devices().clock.now();
   }
 }
 

@@ -23,7 +23,14 @@ bool overExposed(const cv::Mat &gray)
   return cv::countNonZero(gray >= kWhite) > kMost * static_cast<double>(gray.total());
 }
 
+/** Metres by which the odometry of a way and what the map has of it may differ. */
+double farFrom(double distance)
+{
+  return 0.5 + 0.25 * distance;
+}
+
 } // namespace
+
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
              const PilotOptions &options, const std::atomic<bool> &stop,
              std::unique_ptr<HomingMethod> homing)
@@ -240,8 +247,21 @@ Report Pilot::run(const HomeTo &command)
   if (command.departure) {
     oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
   }
-  HomingRun::Result result = homing.run(oDeparture, command.exactly);
+  std::optional<Eigen::Vector2d> oPlace;
+  if (command.way) {
+    const double oBearing = m_oMplace.heading + command.way->bearing;
+    oPlace = m_oMplace.translation() +
+             command.way->distance * Eigen::Vector2d(std::cos(oBearing), std::sin(oBearing));
+  }
+  HomingRun::Result result = homing.run(oDeparture, command.exactly, oPlace);
   std::optional<double> sure;
+  if (oPlace && result.end == HomingEnd::Arrived &&
+      (m_motion.pose().translation() - *oPlace).norm() > farFrom(command.way->distance)) {
+    sure = m_places.standingAt(command.node, look());
+    if (*sure < m_options.leastSure) {
+      result.end = HomingEnd::Blocked; // what stands in the way hides the place
+    }
+  }
   if (command.surely && result.end == HomingEnd::Arrived) {
     sure = m_places.standingAt(command.node, look());
     if (*sure < m_options.leastSure && !command.exactly) {

@@ -42,6 +42,15 @@ struct Recognise
   bool operator==(const Recognise &) const = default;
 };
 
+/** Where a node is, as the map has it. */
+struct Way
+{
+  double bearing = 0.0;  ///< radians from the stored heading of the node stood at
+  double distance = 0.0; ///< metres from there
+
+  bool operator==(const Way &) const = default;
+};
+
 /** Drive to a node by sight. Answer: Homed. */
 struct HomeTo
 {
@@ -56,6 +65,9 @@ struct HomeTo
   bool closely = false;
   /** Seconds after which it is given up; the pilot's own when not given. */
   std::optional<double> patience = std::nullopt;
+  /** What does not let it come nearer to there for some seconds bars the way. An arrival elsewhere
+   * counts when the view makes sure of it, else the way is barred too. */
+  std::optional<Way> way = std::nullopt;
 
   bool operator==(const HomeTo &) const = default;
 };

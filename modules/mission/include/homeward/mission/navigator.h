@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace homeward
@@ -21,17 +22,20 @@ struct NavigatorState
     Surveying,   ///< nothing is recognised here: which ways are open?
     Searching,   ///< along one of them, to look again elsewhere
     Following,   ///< the planned route
+    Returning,   ///< to the node left, before anything else
     Striding,    ///< along a leg as it was driven once, because sight alone did not do
     Finished
   };
 
   Phase phase = Phase::Locating;
   NodeId goal;
-  std::optional<NodeId> here;     ///< the node stood at
+  std::optional<NodeId> here;     ///< the node stood at last
   std::vector<NodeId> route;      ///< still to visit, the next first
   std::vector<NodeId> visited;    ///< stood at so far, in order
   std::map<NodeId, int> vain;     ///< how much approaches that did not arrive speak against a place
   std::map<EdgeId, int> failures; ///< legs that were not driven to their end
+  std::set<EdgeId> blocked;       ///< of these, those that something bars
+  bool lastTry = false;           ///< of what is blocked, since there is no way round
   int looks = 0;                  ///< times it had to find out where it is
   /** To search along, the next first: radians from the heading at the last survey. */
   std::vector<double> ways;
@@ -53,7 +57,8 @@ struct NavigatorOptions
 // clang-format off
 /**
  * Drives to a node by sight: a pure state machine over (state, map, report). A leg that failed once is
- * driven by its bearing and length first, where the map knows both.
+ * driven by its bearing and length first, where the map knows both. A leg that something bars is left
+ * out of every plan of this drive; where nothing else leads on it is tried once more.
  *
  * | phase       | report     | next                                                                |
  * |-------------|------------|---------------------------------------------------------------------|
@@ -62,7 +67,10 @@ struct NavigatorOptions
  * | Approaching | Homed      | arrived: Following the shortest path; else Locating                 |
  * | Surveying   | Surveyed   | Searching along the most open way; Finished (lost) when none is     |
  * | Searching   | Driven     | Locating; blocked at once: Searching along the next way             |
- * | Following   | Homed      | arrived: next leg, Finished at the goal; else Locating              |
+ * | Following   | Homed      | arrived: next leg, Finished at the goal; barred: Returning, to go   |
+ * |             |            | another way, Following once more when there is none, then Finished  |
+ * |             |            | (unreachable); else Locating                                        |
+ * | Returning   | Homed      | arrived: Following the shortest path; else Locating                 |
  * | Striding    | Driven     | Following the same leg, from where it stands now                    |
  *
  * Places look alike, and from a metre away the right one does not look sure. So an unlikely place is
@@ -77,8 +85,13 @@ public:
 
   explicit Navigator(const NavigatorOptions &options);
 
-  /** The first step. @throw LogicError when the map has no node `goal` */
-  Step<State> start(const TopologicalMap &map, NodeId goal) const;
+  /**
+   * The first step.
+   * @param left the node stood at last and not far from, as an earlier drive knows it
+   * @throw LogicError when the map has no such node
+   */
+  Step<State> start(const TopologicalMap &map, NodeId goal,
+                    std::optional<NodeId> left = std::nullopt) const;
 
   /** The step that follows a report. @throw LogicError when the report does not answer the phase */
   Step<State> next(const State &state, const TopologicalMap &map, const Report &report) const;

@@ -36,7 +36,8 @@ struct HomingRunOptions
   double headway = 0.15;          ///< metres it must have moved ...
   double headwaySeconds = 12.0;   ///< ... within so many seconds; else it is blocked too
   int retreats = 2;               ///< ... so many times, ...
-  int detours = 2;                ///< ... then goes on ahead instead so many times, then gives up
+  int detours = 2;                ///< ... then goes on ahead instead so many times, then gives up;
+  int retreatsOnWay = 1;          ///< where the map says where the place is: no detours, and so ...
   double retreat = 0.6;           ///< metres it backs out along the way it came
   double detour = 0.6;            ///< metres ahead, wherever there is room
   double backOut = 0.3;           ///< metres straight back, where it has come no way yet
@@ -74,8 +75,10 @@ public:
    * Drives until it has arrived or cannot go on.
    * @param oDeparture heading to try first, odometry frame
    * @param exactly then comes closer
+   * @param oPlace where the map has the place, metres, odometry frame: it must come nearer to there
    */
-  Result run(std::optional<double> oDeparture, bool exactly = false);
+  Result run(std::optional<double> oDeparture, bool exactly = false,
+             std::optional<Eigen::Vector2d> oPlace = std::nullopt);
 
   /** After an arrival: as near as sight tells, turned as the place was seen. */
   Result comeCloser();
@@ -102,6 +105,7 @@ private:
   void align();
   bool settled() const;
   bool beside() const;
+  void noteHeadway();
   void stepOver();
   void search();
   bool getOut();
@@ -125,6 +129,7 @@ private:
   Time m_lastFree;
   Time m_gotOn;              ///< when it last had moved on
   Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
+  std::optional<Eigen::Vector2d> m_oPlace; ///< as the map has it
   double m_startTravelled = 0.0;
   RangeScale m_scale;
   std::vector<Seen> m_guesses; ///< home vectors that are unsure, since it stood
