@@ -3,19 +3,19 @@
 #include "files.h"
 #include "mission_robot.h"
 #include "mission_setup.h"
+#include "navigation_goals.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
 #include <homeward/core/random.h>
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/homing/homing_method.h>
-#include <homeward/mission/navigator.h>
-#include <homeward/run/run_mission.h>
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdio>
+#include <deque>
 #include <memory>
 
 namespace homeward
@@ -27,7 +27,8 @@ struct NavigateArguments
 {
   RobotArguments robot;
   std::string map;
-  std::int64_t to = -1;
+  std::string to;
+  int repeat = 1;
   std::int64_t from = -1;
   std::string homing = "minwarping";
   double maxTime = 3600.0;
@@ -62,18 +63,129 @@ std::optional<Pose2> startPose(const NavigateArguments &arguments,
   return pose;
 }
 
-nlohmann::json truthJson(const Pose2 &robot, const Pose2 &goal)
+/** What became of one drive, and how far from its goal the robot stood if somebody knows. */
+struct Visit
 {
-  const double error = (robot.translation() - goal.translation()).norm();
-  const double turned = std::abs(degrees(wrapAngle(robot.heading - goal.heading)));
-  return {{"error_m", error}, {"error_deg", turned}};
+  const NavigationGoal *goal;
+  GoalReport report;
+  std::optional<Pose2> robot; ///< true, at the end
+  std::optional<Pose2> place; ///< true, of the goal
+};
+
+/** The visits of a navigation, of a long one the latest. */
+struct Visits
+{
+  static constexpr std::size_t kKept = 1000;
+  std::deque<Visit> kept;
+  int tried = 0;
+  int reached = 0;
+
+  void add(const Visit &visit)
+  {
+    ++tried;
+    reached += visit.report.outcome == Outcome::Done ? 1 : 0;
+    kept.push_back(visit);
+    if (kept.size() > kKept) {
+      kept.pop_front();
+    }
+  }
+};
+
+nlohmann::json truthJson(const Visit &visit)
+{
+  const Pose2 off = visit.place->inverse() * *visit.robot;
+  return {{"error_m", off.translation().norm()}, {"error_deg", std::abs(degrees(off.heading))}};
+}
+
+/** Nodes of the map alone: where a picture was taken is none. */
+nlohmann::json pathJson(const GoalReport &report, const TopologicalMap &map)
+{
+  nlohmann::json path = nlohmann::json::array();
+  for (const NodeId node : report.path) {
+    if (map.contains(node)) {
+      path.push_back(node.value);
+    }
+  }
+  return path;
+}
+
+nlohmann::json visitJson(const Visit &visit, const TopologicalMap &map)
+{
+  nlohmann::json json{{"goal", visit.goal->word},
+                      {"node", visit.goal->node.value},
+                      {"outcome", name(visit.report.outcome)},
+                      {"reason", visit.report.reason},
+                      {"sim_time_s", visit.report.seconds},
+                      {"path", pathJson(visit.report, map)}};
+  if (visit.goal->shown) {
+    json["node"] = visit.goal->shown->node.value;
+    json["probability"] = visit.goal->shown->probability;
+  }
+  if (visit.robot) {
+    json["true_x_m_y_m_heading_rad"] = {visit.robot->x, visit.robot->y, visit.robot->heading};
+  }
+  if (visit.place && visit.robot) {
+    json.update(truthJson(visit));
+  }
+  return json;
+}
+
+void print(const Visit &visit)
+{
+  std::printf("%s: %s, robot time %.0f s\n", name(visit.report.outcome),
+              visit.report.reason.c_str(), visit.report.seconds);
+  if (visit.place && visit.robot) {
+    const nlohmann::json truth = truthJson(visit);
+    std::printf("truth: %.2f m and %.0f degrees from where the node was made\n",
+                truth["error_m"].get<double>(), truth["error_deg"].get<double>());
+  }
+  std::fflush(stdout);
+}
+
+/** Drives to the goals in turn, over and over, until somebody stops it. */
+Visits visitInTurn(const NavigateArguments &arguments, const std::vector<NavigationGoal> &goals,
+                   Navigation &navigation, const MissionRobot &robot,
+                   const std::optional<TruthLog> &log)
+{
+  Visits visits;
+  for (int round = 0; arguments.repeat == 0 || round < arguments.repeat; ++round) {
+    for (const NavigationGoal &goal : goals) {
+      Visit visit{&goal, navigation.driveTo(goal.node, arguments.maxTime), {}, {}};
+      endProgress();
+      if (const std::optional<Truth> truth = robot.truth()) {
+        visit.robot = truth->pose;
+      }
+      if (log && log->nodes.contains(goal.node)) {
+        visit.place = log->nodes.at(goal.node);
+      }
+      print(visit);
+      visits.add(visit);
+      if (visit.report.outcome == Outcome::Stopped) {
+        return visits;
+      }
+    }
+  }
+  return visits;
+}
+
+/** The outcome of all visits as that of one: what the JSON of a navigation says. */
+Finish conclude(const Visits &visits, bool patrol)
+{
+  const GoalReport &last = visits.kept.back().report;
+  if (!patrol) {
+    return {last.outcome, last.reason};
+  }
+  const Outcome missed = last.outcome == Outcome::Stopped ? last.outcome : Outcome::Failed;
+  return {visits.reached == visits.tried ? Outcome::Done : missed,
+          std::to_string(visits.reached) + " of " + std::to_string(visits.tried) +
+              " goals reached"};
 }
 
 int navigate(const NavigateArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
   const MapFile file = MapFile::open(arguments.map, MapFile::Access::Read);
-  requireNode(file, arguments.to);
+  const std::vector<GoalWord> words = parseGoals(arguments.to, file);
   if (arguments.from >= 0) {
     requireNode(file, arguments.from);
   }
@@ -93,43 +205,49 @@ int navigate(const NavigateArguments &arguments)
       std::printf("  # %.1f s %s\n", seconds(), line.c_str());
     };
   }
-  rememberAll(file, pilot);
-
-  const Navigator navigator({});
-  MissionCounts counts;
-  std::vector<NodeId> visited;
-  const auto enough = [&] { return seconds() > arguments.maxTime; };
-  const auto onStep = [&](const Step<NavigatorState> &step) {
+  Navigation navigation(file, pilot, clock);
+  navigation.onStep = [&](const Step<NavigatorState> &step) {
     endProgress();
     for (const std::string &line : step.log) {
       std::printf("%s\n", line.c_str());
     }
     std::fflush(stdout);
-    visited = step.state.visited;
     showProgress("robot time " + std::to_string(std::lround(seconds())) + " s");
   };
-  const Finish finish = runMission(navigator, navigator.start(file.map(), NodeId{arguments.to}),
-                                   pilot, file.map(), nullptr, clock, counts, enough, onStep);
-  endProgress();
-
+  const std::vector<NavigationGoal> goals =
+      findGoals(words, navigation, robot->files().camera, file.header().panorama);
+  for (const NavigationGoal &goal : goals) {
+    if (goal.shown) {
+      std::printf("%s shows node %lld, probability %.2f\n", goal.word.c_str(),
+                  static_cast<long long>(goal.shown->node.value), goal.shown->probability);
+    }
+  }
+  const Visits visits = visitInTurn(arguments, goals, navigation, *robot, log);
+  const bool patrol = goals.size() > 1 || arguments.repeat != 1;
+  const Finish finish = conclude(visits, patrol);
+  if (patrol) {
+    std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
+                seconds());
+  }
   nlohmann::json json = jsonHeader("navigate");
   json["seed"] = robot->world().value_or(SimulatedWorld{}).seed;
   json["outcome"] = name(finish.outcome);
   json["reason"] = finish.reason;
   json["sim_time_s"] = seconds();
   json["path"] = nlohmann::json::array();
-  for (const NodeId node : visited) {
-    json["path"].push_back(node.value);
+  json["goals"] = nlohmann::json::array();
+  for (const Visit &visit : visits.kept) {
+    const nlohmann::json goal = visitJson(visit, file.map());
+    json["path"].insert(json["path"].end(), goal["path"].begin(), goal["path"].end());
+    json["goals"].push_back(goal);
   }
-  std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
-              seconds());
-  const std::optional<Truth> truth = robot->truth();
-  if (truth && log && log->nodes.contains(NodeId{arguments.to})) {
-    json["truth"] = truthJson(truth->pose, log->nodes.at(NodeId{arguments.to}));
-    std::printf("truth: %.2f m and %.0f degrees from where the node was made\n",
-                json["truth"]["error_m"].get<double>(), json["truth"]["error_deg"].get<double>());
+  json["goals_tried"] = visits.tried;
+  json["goals_reached"] = visits.reached;
+  const Visit &last = visits.kept.back();
+  if (last.place && last.robot) {
+    json["truth"] = truthJson(last);
   }
-  if (truth) {
+  if (const std::optional<Truth> truth = robot->truth()) {
     json["collisions"] = truth->collisions;
     json["unseen_contacts"] = truth->unseenContacts;
   }
@@ -144,18 +262,25 @@ int navigate(const NavigateArguments &arguments)
 void addNavigateCommand(CliCommand app)
 {
   auto arguments = std::make_shared<NavigateArguments>();
-  CliCommand command = app.command("navigate", "Drive to a node of a map by sight");
+  CliCommand command = app.command("navigate", "Drive to places of a map by sight");
   command.examples("Example: homeward navigate --map lab.hwm --world data/worlds/lab.sdf --to 3\n"
+                   "Patrol: homeward navigate --map lab.hwm --to 3,kitchen,photo.jpg --repeat 5\n"
+                   "A picture is one of the robot's mirror, or a panorama as unwrap writes it.\n"
                    "Without --start or --from the simulated robot stands where it was left.");
   addRobotArguments(command, arguments->robot);
   command.option("--map", arguments->map, "Map file").required();
-  command.option("--to", arguments->to, "Node to drive to").required();
+  command.option("--to", arguments->to, "Goals in turn: numbers or names of nodes, or pictures")
+      .required();
+  command
+      .option("--repeat", arguments->repeat, "Times to drive to them in turn; 0: until stopped")
+      .between(0, 1000000000)
+      .showDefault();
   command.option("--from", arguments->from, "Start at this node's true place, any heading");
   command
       .option("--homing", arguments->homing, "How the robot finds home by sight; hiss as the seed")
       .oneOf(homingMethodNames())
       .showDefault();
-  command.option("--max-time", arguments->maxTime, "Seconds of robot time after which it gives up")
+  command.option("--max-time", arguments->maxTime, "Seconds of robot time after which a goal is given up")
       .positive()
       .showDefault();
   command.flag("--verbose", arguments->verbose, "Print every decision");

@@ -31,7 +31,7 @@ public:
   void locate()
   {
     if (++m_step.state.looks > m_options.maxLooks) {
-      finish(Outcome::Failed, "lost: no recognised place could be reached");
+      lose("no recognised place could be reached");
       return;
     }
     m_step.state.phase = Phase::Locating;
@@ -76,7 +76,7 @@ public:
       state.ways.push_back(way.bearing);
     }
     if (state.ways.empty()) {
-      finish(Outcome::Failed, "lost: this view shows no known place, and no way is open");
+      lose("this view shows no known place, and no way is open");
       return;
     }
     search();
@@ -189,6 +189,19 @@ private:
   static constexpr int kLooksAlike =
       2; ///< so many barred ones an approach that ended "lost" counts as
 
+  std::string called(NodeId id) const
+  {
+    const std::string &name = m_map.node(id).name;
+    return name.empty() ? "node " + std::to_string(id.value) : name;
+  }
+
+  /** Of where it is now nothing is known. */
+  void lose(const std::string &reason)
+  {
+    m_step.state.here.reset();
+    finish(Outcome::Failed, "lost: " + reason);
+  }
+
   /** From elsewhere, what was not reached may be. */
   void forgive()
   {
@@ -246,7 +259,7 @@ private:
   void arrive()
   {
     m_step.log.push_back("NAVIGATION DONE -");
-    finish(Outcome::Done, "arrived at node " + std::to_string(m_step.state.goal.value));
+    finish(Outcome::Done, "arrived at " + called(m_step.state.goal));
   }
 
   /** From the node left, over what is not known to be barred. */
@@ -280,11 +293,11 @@ private:
   void unreachable()
   {
     const NavigatorState &state = m_step.state;
-    std::string reason = "unreachable: no way from node " + std::to_string(state.here->value) +
-                         " to node " + std::to_string(state.goal.value);
+    std::string reason =
+        "unreachable: no way from " + called(*state.here) + " to " + called(state.goal);
     const char *separator = "; blocked: ";
     for (const EdgeId id : state.blocked) {
-      const Edge &edge = m_map.edges().at(id);
+      const Edge &edge = m_map.edge(id);
       reason += separator + std::to_string(edge.a.value) + " - " + std::to_string(edge.b.value);
       separator = ", ";
     }

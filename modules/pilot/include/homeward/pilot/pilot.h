@@ -58,6 +58,12 @@ public:
   /** Makes a node known by sight. @param panorama as decoded from the map file */
   void remember(NodeId node, const Panorama &panorama);
 
+  /** Which known places a picture may show, best first. @param panorama gray */
+  std::vector<PlaceMatch> recognise(const Panorama &panorama) const
+  {
+    return m_places.recognise(panorama);
+  }
+
   /** Called with every drive, homing and place decision, for logs; may be empty. */
   std::function<void(const std::string &)> trace;
 
