@@ -61,6 +61,7 @@ MissionTrialOptions trialOptions(const MissionArguments &arguments, const RobotF
   options.navigating = pilotOptions(files.rig, false, arguments.settings.homing);
   options.header = mapHeader(files, options.exploring);
   options.explorer = explorerOptions(arguments.settings);
+  options.navigator.cost = options.explorer.cost;
   options.maxTime = arguments.settings.maxTime;
   options.light = parseLightPreset(arguments.light);
   options.lightNow = parseLightPreset(arguments.goalLight());
@@ -80,6 +81,7 @@ nlohmann::json studyOptions(const MissionArguments &arguments, const RobotFiles 
           {"forward_distance_m", arguments.settings.forwardDistance},
           {"homing", arguments.settings.homing},
           {"histogram_threshold", arguments.settings.histogramThreshold},
+          {"equal_costs", arguments.settings.equalCosts},
           {"close_known", arguments.settings.closeKnown},
           {"max_time_s", arguments.settings.maxTime},
           {"without", arguments.without},

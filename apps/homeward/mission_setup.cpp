@@ -54,6 +54,9 @@ void addExploreSettings(CliCommand command, ExploreSettings &settings)
       .between(1.0, 1e6);
   command.flag("--close-known", settings.closeKnown,
                "Do not drive to where, by the ways driven, there is a node already");
+  command.flag(
+      "--equal-costs", settings.equalCosts,
+      "Plan the way with the fewest edges, as the seed, not the one with the fewest metres");
   command.option("--max-time", settings.maxTime, "Seconds of robot time after which it stops")
       .positive()
       .showDefault();
@@ -75,6 +78,7 @@ ExplorerOptions explorerOptions(const ExploreSettings &settings)
   constexpr double kCloseNear = 0.7; // metres
   ExplorerOptions options;
   options.forwardDistance = settings.forwardDistance;
+  options.cost = settings.equalCosts ? countEdge : expectedMetres;
   options.closeNear = settings.closeKnown ? kCloseNear : 0.0;
   return options;
 }

@@ -30,9 +30,11 @@ struct ExploreSettings
   double histogramThreshold = 0.0; ///< 0: places are verified
   double maxTime = 1e5;            ///< s of robot time
   bool closeKnown = false;         ///< directions to where a node is are not driven
+  bool equalCosts = false;         ///< ways are planned by the number of edges
 };
 
-/** `--forward-distance`, `--homing`, `--histogram-threshold`, `--close-known`, `--max-time`. */
+/** `--forward-distance`, `--homing`, `--histogram-threshold`, `--close-known`, `--equal-costs`,
+ * `--max-time`. */
 void addExploreSettings(CliCommand command, ExploreSettings &settings);
 
 /** As pilotOptions(), for an exploration. */

@@ -271,8 +271,7 @@ void addNavigateCommand(CliCommand app)
   command.option("--map", arguments->map, "Map file").required();
   command.option("--to", arguments->to, "Goals in turn: numbers or names of nodes, or pictures")
       .required();
-  command
-      .option("--repeat", arguments->repeat, "Times to drive to them in turn; 0: until stopped")
+  command.option("--repeat", arguments->repeat, "Times to drive to them in turn; 0: until stopped")
       .between(0, 1000000000)
       .showDefault();
   command.option("--from", arguments->from, "Start at this node's true place, any heading");
@@ -280,7 +279,9 @@ void addNavigateCommand(CliCommand app)
       .option("--homing", arguments->homing, "How the robot finds home by sight; hiss as the seed")
       .oneOf(homingMethodNames())
       .showDefault();
-  command.option("--max-time", arguments->maxTime, "Seconds of robot time after which a goal is given up")
+  command
+      .option("--max-time", arguments->maxTime,
+              "Seconds of robot time after which a goal is given up")
       .positive()
       .showDefault();
   command.flag("--verbose", arguments->verbose, "Print every decision");

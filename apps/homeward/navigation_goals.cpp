@@ -78,9 +78,9 @@ std::vector<NavigationGoal> findGoals(const std::vector<GoalWord> &words, Naviga
 {
   std::vector<NavigationGoal> goals;
   for (const GoalWord &goal : words) {
-    const auto same =
-        std::find_if(goals.begin(), goals.end(),
-                     [&](const NavigationGoal &found) { return found.word == goal.word; });
+    const auto same = std::find_if(goals.begin(), goals.end(), [&](const NavigationGoal &found) {
+      return found.word == goal.word;
+    });
     if (same != goals.end()) {
       goals.push_back(NavigationGoal(*same));
       continue;

@@ -15,8 +15,8 @@ namespace homeward
 /** A goal as the command line has it. */
 struct GoalWord
 {
-  std::string word;        ///< the number or name of a node, or a picture file
-  cv::Mat picture;         ///< empty when the word is a node
+  std::string word; ///< the number or name of a node, or a picture file
+  cv::Mat picture;  ///< empty when the word is a node
 };
 
 /** A place to drive to. */

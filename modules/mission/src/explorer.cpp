@@ -127,6 +127,10 @@ public:
   void followed(const Homed &report)
   {
     ExplorerState &state = m_step.state;
+    const std::optional<Edge> edge = m_map.edgeBetween(*state.origin, state.route.front());
+    if (edge) {
+      change(tried(edge->id, report));
+    }
     if (report.end == HomingEnd::Arrived) {
       const NodeId reached = state.route.front();
       state.route.erase(state.route.begin());
@@ -142,7 +146,7 @@ public:
       }
       return;
     }
-    if (const auto edge = m_map.edgeBetween(*state.origin, state.route.front())) {
+    if (edge) {
       ++state.failures[edge->id];
     }
     state.chord = report.chord;
@@ -506,9 +510,10 @@ private:
 
   std::optional<std::vector<NodeId>> pathToOpen(NodeId node) const
   {
-    return overSoundEdges(
-        m_step.state.failures, m_options.legTries * (1 + m_step.state.stranded),
-        [&](const std::set<EdgeId> &blocked) { return pathToNearestOpen(m_map, node, blocked); });
+    return overSoundEdges(m_step.state.failures, m_options.legTries * (1 + m_step.state.stranded),
+                          [&](const std::set<EdgeId> &blocked) {
+                            return pathToNearestOpen(m_map, node, blocked, m_options.cost);
+                          });
   }
 
   void plan(NodeId node)

@@ -20,6 +20,12 @@ std::string explorationLine(const std::string &state, NodeId from, NodeId to,
   return state + " " + std::to_string(from.value) + " - " + std::to_string(to.value) + " " + value;
 }
 
+EdgeTried tried(EdgeId edge, const Homed &report)
+{
+  const std::string end = report.end == HomingEnd::Arrived ? "" : name(report.end);
+  return {edge, end, report.seconds, report.time};
+}
+
 std::string routeLine(const std::string &state, const std::vector<NodeId> &path)
 {
   std::string line = state + " ";

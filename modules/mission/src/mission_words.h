@@ -29,6 +29,9 @@ template <class Kind> const Kind &answer(const Report &report)
 std::string explorationLine(const std::string &state, NodeId from, NodeId to,
                             std::optional<double> dissimilarity);
 
+/** What a leg along an edge came to, for the edge's statistics. */
+EdgeTried tried(EdgeId edge, const Homed &report);
+
 /** "Path planning 0 - 1 - 8 -". */
 std::string routeLine(const std::string &state, const std::vector<NodeId> &path);
 

@@ -151,6 +151,9 @@ public:
     const NodeId target = state.route.front();
     const NodeId from = *state.here;
     const std::optional<Edge> edge = m_map.edgeBetween(from, target);
+    if (edge) {
+      m_step.changes.emplace_back(tried(edge->id, report));
+    }
     if (report.end != HomingEnd::Arrived) {
       if (edge) {
         ++state.failures[edge->id];
@@ -268,7 +271,7 @@ private:
     const NavigatorState &state = m_step.state;
     return overSoundEdges(state.failures, m_options.legTries, [&](std::set<EdgeId> avoided) {
       avoided.insert(state.blocked.begin(), state.blocked.end());
-      return shortestPath(m_map, *state.here, state.goal, avoided);
+      return shortestPath(m_map, *state.here, state.goal, avoided, m_options.cost);
     });
   }
 
@@ -310,7 +313,7 @@ private:
     std::optional<std::vector<NodeId>> path = freePath();
     if (!path && !state.blocked.empty() && !state.lastTry) {
       state.lastTry = true;
-      path = shortestPath(m_map, *state.here, state.goal);
+      path = shortestPath(m_map, *state.here, state.goal, {}, m_options.cost);
     }
     if (!path) {
       unreachable();
@@ -344,8 +347,7 @@ private:
     NavigatorState &state = m_step.state;
     state.phase = Phase::Following;
     HomeTo leg{state.route.front(), departure, state.route.size() == 1};
-    const std::optional<double> bearing =
-        m_map.departureBearing(*state.here, state.route.front());
+    const std::optional<double> bearing = m_map.departureBearing(*state.here, state.route.front());
     const std::optional<Edge> edge = m_map.edgeBetween(*state.here, state.route.front());
     if (bearing && edge->length) {
       leg.way = Way{*bearing, *edge->length};

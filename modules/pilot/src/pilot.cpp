@@ -243,6 +243,7 @@ Report Pilot::run(const HomeTo &command)
                      return m_homing->compute(current, snapshot);
                    });
   const double travelledBefore = m_motion.travelled();
+  const Time begin = m_motion.devices().clock.now();
   std::optional<double> oDeparture;
   if (command.departure) {
     oDeparture = wrapAngle(m_oMplace.heading + *command.departure);
@@ -273,7 +274,8 @@ Report Pilot::run(const HomeTo &command)
     }
   }
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
-  const Homed report{result.end, chordTo(oMplace)};
+  const Time end = m_motion.devices().clock.now();
+  const Homed report{result.end, chordTo(oMplace), toSeconds(end - begin), toSeconds(end)};
   if (trace) {
     char text[80];
     std::snprintf(text, sizeof text, "home to %lld: %s after %.1f m",

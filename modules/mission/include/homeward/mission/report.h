@@ -67,6 +67,8 @@ struct Homed
 {
   HomingEnd end = HomingEnd::Lost;
   Chord chord;
+  double seconds = 0.0; ///< it took, by the robot's clock
+  double time = 0.0;    ///< when it ended, seconds, by the robot's clock
 };
 
 /** Somebody asked the robot to stop; it stands. */
