@@ -196,20 +196,26 @@ TEST(Explorer, MakesSureOfAPlaceThatOnlyTheWaysHaveHere)
   EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen(doubted)));
 }
 
-TEST(Explorer, GoesBackToThePlaceLeftWhereALegFailedBesideIt)
+TEST(Explorer, DrivesBackToThePlaceLeftWhereNothingIsRecognised)
 {
   Row row;
   row.state.phase = ExplorerState::Phase::Following;
   row.state.route = {NodeId{1}};
   row.state.target = NodeId{1};
   const Explorer explorer(oneMetre());
-  const auto afterLegOf = [&](double metres) {
-    const auto step =
-        explorer.next(row.state, row.map, Homed{HomingEnd::Blocked, {metres, 3.0, 0.0, kPi}});
-    return explorer.next(step.state, row.map, Recognised{}).command;
-  };
-  EXPECT_EQ(std::get<HomeTo>(afterLegOf(0.4)).node, NodeId{2});
-  EXPECT_TRUE(std::holds_alternative<Survey>(afterLegOf(2.0)));
+  const Homed lost{HomingEnd::Blocked, {0.8, 3.0, 0.3, -2.0}};
+  auto step = explorer.next(row.state, row.map, lost);
+  step = explorer.next(step.state, row.map, Recognised{});
+  const auto *back = std::get_if<DriveDirection>(&step.command);
+  ASSERT_NE(back, nullptr);
+  EXPECT_DOUBLE_EQ(back->bearing, 0.3 - kPi);
+  EXPECT_DOUBLE_EQ(back->distance, 0.8);
+  step = explorer.next(step.state, row.map, Driven{false, {0.1, 3.7, 0.3, -2.0}});
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{2});
+  // Once; then it makes a place of where it is.
+  step = explorer.next(step.state, row.map, lost);
+  step = explorer.next(step.state, row.map, Recognised{});
+  EXPECT_TRUE(std::holds_alternative<Survey>(step.command));
 }
 
 TEST(Explorer, MakesSureByStrictSightWhereTheWaysReachFarRound)
@@ -232,13 +238,13 @@ TEST(Explorer, ComesBackFromADriveThatNoEdgeCanStandForAndGivesUpTheSecondTime)
   at.state.origin = NodeId{0};
   at.state.target = NodeId{1};
   at.state.direction = DirectionId{0};
-  at.state.retries = 1;
+  at.state.retries = ExplorerOptions{}.homingTries - 1;
   const Chord far{2.0, 9.0, 0.0, kPi};
   Step<ExplorerState> step{at.state, {}, {}, {}};
   for (int drive = 1; drive <= 2; ++drive) {
     step.state.phase = ExplorerState::Phase::Homing;
     step.state.target = NodeId{1};
-    step.state.retries = 1;
+    step.state.retries = ExplorerOptions{}.homingTries - 1;
     step = explorer.next(step.state, at.map, Homed{HomingEnd::TimedOut, far});
     ASSERT_TRUE(std::holds_alternative<HomeTo>(step.command));
     EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});

@@ -27,6 +27,7 @@ ExplorerState anyState()
   state.target = NodeId{2};
   state.surely = true;
   state.strode = true;
+  state.retreated = true;
   state.dissimilarity = 218.2;
   state.retries = 1;
   state.vain = {{NodeId{4}, 2}};

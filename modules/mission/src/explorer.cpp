@@ -112,7 +112,7 @@ public:
       leave(target);
     }
     else if (++state.retries < m_options.homingTries) {
-      ++state.vain[target];
+      state.vain[target] += report.end == HomingEnd::Lost ? kLooksAlike : 1;
       ask(Phase::Classifying, Recognise{});
     }
     else if (!state.origin || isWay(report.chord)) {
@@ -137,6 +137,7 @@ public:
       state.origin = reached;
       state.chord = {};
       state.retries = 0;
+      state.retreated = false;
       state.vain.clear();
       if (state.route.empty()) {
         leave(reached);
@@ -177,11 +178,7 @@ public:
     if (state.stranded > 0) {
       std::erase_if(matches, [this](const PlaceMatch &match) { return !pathToOpen(match.node); });
     }
-    std::optional<NodeId> place = likeliestPlace(notInVain(matches, state.vain, 1));
-    if (!place && state.stranded == 0 && state.origin && standsHere(*state.origin) &&
-        !tooOftenInVain(*state.origin)) {
-      place = state.origin; // a new place would be beside it
-    }
+    const std::optional<NodeId> place = likeliestPlace(notInVain(matches, state.vain, 1));
     const bool tried = state.retries++ > 1;
     if (place && !tried) {
       home(Phase::Returning, *place, std::nullopt);
@@ -189,9 +186,19 @@ public:
     else if (state.stranded > 0) {
       plan(*state.origin);
     }
+    else if (const auto back = state.retreated ? std::nullopt : retreat()) {
+      state.retreated = true;
+      ask(Phase::Retreating, *back);
+    }
     else {
       survey();
     }
+  }
+
+  void retreated(const Driven &report)
+  {
+    m_step.state.chord = report.chord;
+    home(Phase::Returning, *m_step.state.origin, std::nullopt);
   }
 
   void returned(const Homed &report)
@@ -231,6 +238,8 @@ public:
                         : m_map.departureBearing(named(state.origin), named(state.target)));
     case Phase::Striding:
       return named(stride());
+    case Phase::Retreating:
+      return named(retreat());
     case Phase::Finished:
       break;
     }
@@ -244,6 +253,8 @@ public:
   }
 
 private:
+  static constexpr int kLooksAlike = 2; ///< homings in vain that one that ended "lost" counts as
+
   struct Offset
   {
     double distance = 0.0; ///< metres
@@ -276,6 +287,16 @@ private:
     const auto off = state.phase == Phase::Following ? std::optional(Offset{}) : offset(node);
     const bool far = !off || off->error > m_options.surelyBeyond;
     return {node, departure, false, state.surely || far};
+  }
+
+  /** To the place left by odometry, which is good enough over a few metres. */
+  std::optional<DriveDirection> retreat() const
+  {
+    const ExplorerState &state = m_step.state;
+    if (!m_options.retreats || !state.origin || state.chord.distance > m_options.longestEdge()) {
+      return std::nullopt;
+    }
+    return DriveDirection{wrapAngle(state.chord.bearingAtOrigin + kPi), state.chord.distance};
   }
 
   /** The next leg by its bearing and length, when it has failed and the map knows both. */
@@ -490,6 +511,7 @@ private:
     state.target.reset();
     state.route.clear();
     state.retries = 0;
+    state.retreated = false;
     if (tooManyNodes()) {
       end();
       return;
@@ -653,6 +675,9 @@ Step<ExplorerState> Explorer::next(const State &state, const TopologicalMap &map
     break;
   case Phase::Striding:
     stepper.strode(answer<Driven>(report));
+    break;
+  case Phase::Retreating:
+    stepper.retreated(answer<Driven>(report));
     break;
   case Phase::Relocating:
     stepper.relocated(answer<Recognised>(report));

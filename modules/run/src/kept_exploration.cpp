@@ -21,7 +21,7 @@ namespace
 constexpr int kVersion = 1;
 
 using Phase = ExplorerState::Phase;
-constexpr std::array<std::pair<Phase, const char *>, 9> kPhases = {{
+constexpr std::array<std::pair<Phase, const char *>, 10> kPhases = {{
     {Phase::Surveying, "surveying"},
     {Phase::Driving, "driving"},
     {Phase::Classifying, "classifying"},
@@ -29,6 +29,7 @@ constexpr std::array<std::pair<Phase, const char *>, 9> kPhases = {{
     {Phase::Following, "following"},
     {Phase::Striding, "striding"},
     {Phase::Relocating, "relocating"},
+    {Phase::Retreating, "retreating"},
     {Phase::Returning, "returning"},
     {Phase::Finished, "finished"},
 }};
@@ -44,6 +45,7 @@ template <class State, class Visit> void eachField(State &state, Visit visit)
   visit("target", state.target);
   visit("surely", state.surely);
   visit("strode", state.strode);
+  visit("retreated", state.retreated);
   visit("dissimilarity", state.dissimilarity);
   visit("retries", state.retries);
   visit("vain", state.vain);

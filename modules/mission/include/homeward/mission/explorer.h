@@ -26,6 +26,7 @@ struct ExplorerState
     Following,   ///< the planned route to a node with an open direction
     Striding,    ///< along a leg as it was driven once, because sight alone did not do
     Relocating,  ///< a leg of the route failed: where is this?
+    Retreating,  ///< to the place left by odometry, because nothing is recognised
     Returning,   ///< to the place found by relocating
     Finished
   };
@@ -38,6 +39,7 @@ struct ExplorerState
   std::optional<NodeId> target;         ///< of the homing under way
   bool surely = false;                  ///< it is to be made sure of, whatever the ways say
   bool strode = false;                  ///< the leg under way was driven by its length already
+  bool retreated = false;               ///< since the last node stood at
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
   std::map<NodeId, int> vain;           ///< homings that did not arrive since the robot last got on
@@ -61,7 +63,8 @@ struct ExplorerOptions
   /** Metres: a direction is closed without being driven when so near to where it leads there is a
    * node that the ways tell surely enough; 0: every direction is driven, as the seed does. */
   double closeNear = 0.0;
-  int homingTries = 2;   ///< times to home to a recognised place before the way there is given up
+  int homingTries = 3;   ///< times to home to a recognised place before the way there is given up
+  bool retreats = true;  ///< where nothing is recognised, drive back to the place left
   bool strides = true;   ///< drive a leg that failed by its bearing and length before homing
   bool relocates = true; ///< look for a known place where a leg failed, else make a new one there
   int legTries = 4;      ///< failures after which an edge is planned over only when cut off, ...
@@ -101,8 +104,10 @@ struct ExplorerOptions
  * |             |            | where an edge can be made, else Returning to the node left            |
  * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
  * | Striding    | Driven     | Following the same leg, from where it stands now                      |
- * | Relocating  | Recognised | Returning to the best place; Surveying when there is none             |
+ * | Relocating  | Recognised | Returning to the best place; Retreating once when there is none, then |
+ * |             |            | Surveying;                                                            |
  * |             |            | the same when cut off, but a place that leads on; else Finished       |
+ * | Retreating  | Driven     | Returning to the place left                                           |
  * | Returning   | Homed      | arrived: leave the node; else Relocating                              |
  *
  * To leave a node is to drive its next open direction (Driving), else to follow the route to the
