@@ -26,26 +26,26 @@ public:
 
   KillingVfs()
   {
-    s_realVfs = sqlite3_vfs_find(nullptr);
-    s_vfs = *s_realVfs;
-    s_vfs.zName = "killing";
-    s_vfs.xOpen = open;
-    s_vfs.xDelete = remove;
-    sqlite3_vfs_register(&s_vfs, 1);
+    realVfs = sqlite3_vfs_find(nullptr);
+    vfs = *realVfs;
+    vfs.zName = "killing";
+    vfs.xOpen = open;
+    vfs.xDelete = remove;
+    sqlite3_vfs_register(&vfs, 1);
   }
-  ~KillingVfs() { sqlite3_vfs_unregister(&s_vfs); }
+  ~KillingVfs() { sqlite3_vfs_unregister(&vfs); }
   KillingVfs(const KillingVfs &) = delete;
   KillingVfs &operator=(const KillingVfs &) = delete;
 
   /** @param call number of the call, from now and from 1, that this process does not survive */
   static void dieAt(int call, Last last)
   {
-    s_callsLeft = call;
-    s_last = last;
+    callsLeft = call;
+    lastAct = last;
   }
 
 private:
-  static bool isLast() { return --s_callsLeft == 0; }
+  static bool isLast() { return --callsLeft == 0; }
 
   static void die()
   {
@@ -57,15 +57,15 @@ private:
   static int open(sqlite3_vfs *, sqlite3_filename name, sqlite3_file *file, int flags,
                   int *outFlags)
   {
-    const int code = s_realVfs->xOpen(s_realVfs, name, file, flags, outFlags);
+    const int code = realVfs->xOpen(realVfs, name, file, flags, outFlags);
     if (file->pMethods == nullptr) {
       return code;
     }
     // Files that are locked and files that are not have methods of their own; these three are
     // alike.
-    s_realFile = file->pMethods;
+    realFile = file->pMethods;
     sqlite3_io_methods &methods =
-        s_methods.try_emplace(file->pMethods, *file->pMethods).first->second;
+        methodsByKind.try_emplace(file->pMethods, *file->pMethods).first->second;
     methods.xWrite = write;
     methods.xTruncate = truncate;
     methods.xSync = sync;
@@ -76,24 +76,24 @@ private:
   static int remove(sqlite3_vfs *, const char *name, int syncFolder)
   {
     die();
-    return s_realVfs->xDelete(s_realVfs, name, syncFolder);
+    return realVfs->xDelete(realVfs, name, syncFolder);
   }
 
   static int write(sqlite3_file *file, const void *bytes, int size, sqlite3_int64 offset)
   {
     if (isLast()) {
-      if (s_last == Last::HalfAWrite) {
-        s_realFile->xWrite(file, bytes, size / 2, offset);
+      if (lastAct == Last::HalfAWrite) {
+        realFile->xWrite(file, bytes, size / 2, offset);
       }
       std::raise(SIGKILL);
     }
-    return s_realFile->xWrite(file, bytes, size, offset);
+    return realFile->xWrite(file, bytes, size, offset);
   }
 
   static int truncate(sqlite3_file *file, sqlite3_int64 size)
   {
     die();
-    return s_realFile->xTruncate(file, size);
+    return realFile->xTruncate(file, size);
   }
 
   static int sync(sqlite3_file *, int)
@@ -102,12 +102,12 @@ private:
     return SQLITE_OK;
   }
 
-  static inline int s_callsLeft = 0; ///< 0 and below: for ever
-  static inline Last s_last = Last::Nothing;
-  static inline sqlite3_vfs *s_realVfs = nullptr;
-  static inline sqlite3_vfs s_vfs = {};
-  static inline const sqlite3_io_methods *s_realFile = nullptr;
-  static inline std::map<const sqlite3_io_methods *, sqlite3_io_methods> s_methods;
+  static inline int callsLeft = 0; ///< 0 and below: for ever
+  static inline Last lastAct = Last::Nothing;
+  static inline sqlite3_vfs *realVfs = nullptr;
+  static inline sqlite3_vfs vfs = {};
+  static inline const sqlite3_io_methods *realFile = nullptr;
+  static inline std::map<const sqlite3_io_methods *, sqlite3_io_methods> methodsByKind;
 };
 
 } // namespace homeward

@@ -29,6 +29,10 @@ TEST(Explore, MapsTheLaboratoryAndDrivesBackThroughIt)
   EXPECT_EQ(json["truth"]["false_edges"], 0);
   EXPECT_THAT(run.output, testing::HasSubstr("EXPLORATION DONE"));
 
+  const ProgramRun again = runProgram("explore --resume --world " + lab() + " --map " + map);
+  EXPECT_EQ(again.status, 0) << again.output;
+  EXPECT_THAT(again.output, testing::HasSubstr("homings 0 of 0 arrived\ndistance 0.0 m"));
+
   const std::string last = std::to_string(json["nodes"].get<int>() - 1);
   const ProgramRun drive = runProgram("navigate --world " + lab() + " --map " + map + " --from " +
                                       last + " --to 0 --json " + folder / "drive.json");
