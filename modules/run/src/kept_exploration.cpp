@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -21,38 +19,54 @@ namespace
 constexpr int kVersion = 1;
 
 using Phase = ExplorerState::Phase;
-constexpr std::array<std::pair<Phase, const char *>, 10> kPhases = {{
-    {Phase::Surveying, "surveying"},
-    {Phase::Driving, "driving"},
-    {Phase::Classifying, "classifying"},
-    {Phase::Homing, "homing"},
-    {Phase::Following, "following"},
-    {Phase::Striding, "striding"},
-    {Phase::Relocating, "relocating"},
-    {Phase::Retreating, "retreating"},
-    {Phase::Returning, "returning"},
-    {Phase::Finished, "finished"},
-}};
+const char *word(Phase phase)
+{
+  switch (phase) {
+  case Phase::Surveying:
+    return "surveying";
+  case Phase::Driving:
+    return "driving";
+  case Phase::Classifying:
+    return "classifying";
+  case Phase::Homing:
+    return "homing";
+  case Phase::Following:
+    return "following";
+  case Phase::Striding:
+    return "striding";
+  case Phase::Relocating:
+    return "relocating";
+  case Phase::Retreating:
+    return "retreating";
+  case Phase::Returning:
+    return "returning";
+  case Phase::Finished:
+    return "finished";
+  }
+  throw LogicError("an unknown phase of the exploration");
+}
 
-/** Every field of a state with its key: all that there is to do for a new one. */
+/** Every field of a state with its key. A new field does not compile until it is kept too. */
 template <class State, class Visit> void eachField(State &state, Visit visit)
 {
-  visit("steps", state.steps);
-  visit("phase", state.phase);
-  visit("origin", state.origin);
-  visit("direction", state.direction);
-  visit("route", state.route);
-  visit("target", state.target);
-  visit("surely", state.surely);
-  visit("strode", state.strode);
-  visit("retreated", state.retreated);
-  visit("dissimilarity", state.dissimilarity);
-  visit("retries", state.retries);
-  visit("vain", state.vain);
-  visit("stranded", state.stranded);
-  visit("failures", state.failures);
-  visit("attempts", state.attempts);
-  visit("chord", state.chord);
+  auto &[steps, phase, origin, direction, route, target, dissimilarity, retries, vain, stranded,
+         failures, attempts, chord] = state;
+  visit("steps", steps);
+  visit("phase", phase);
+  visit("origin", origin);
+  visit("direction", direction);
+  visit("route", route);
+  visit("target", target);
+  visit("surely", surely);
+  visit("strode", strode);
+  visit("retreated", retreated);
+  visit("dissimilarity", dissimilarity);
+  visit("retries", retries);
+  visit("vain", vain);
+  visit("stranded", stranded);
+  visit("failures", failures);
+  visit("attempts", attempts);
+  visit("chord", chord);
 }
 
 json toJson(int value)
@@ -72,9 +86,7 @@ json toJson(double value)
 
 json toJson(Phase phase)
 {
-  const auto *found = std::find_if(kPhases.begin(), kPhases.end(),
-                                   [&](const auto &entry) { return entry.first == phase; });
-  return found->second;
+  return word(phase);
 }
 
 json toJson(const Chord &chord)
@@ -142,13 +154,14 @@ void read(const json &from, double &value)
 
 void read(const json &from, Phase &phase)
 {
-  const auto word = from.get<std::string>();
-  const auto *found = std::find_if(kPhases.begin(), kPhases.end(),
-                                   [&](const auto &entry) { return entry.second == word; });
-  if (found == kPhases.end()) {
-    throw ConfigError("'" + word + "' is no phase");
+  const auto text = from.get<std::string>();
+  for (int i = 0; i <= static_cast<int>(Phase::Finished); ++i) {
+    if (text == word(static_cast<Phase>(i))) {
+      phase = static_cast<Phase>(i);
+      return;
+    }
   }
-  phase = found->first;
+  throw ConfigError("'" + text + "' is no phase");
 }
 
 void expectList(const json &list)
