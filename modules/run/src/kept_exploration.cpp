@@ -49,8 +49,8 @@ const char *word(Phase phase)
 /** Every field of a state with its key. A new field does not compile until it is kept too. */
 template <class State, class Visit> void eachField(State &state, Visit visit)
 {
-  auto &[steps, phase, origin, direction, route, target, dissimilarity, retries, vain, stranded,
-         failures, attempts, chord] = state;
+  auto &[steps, phase, origin, direction, route, target, surely, strode, retreated, dissimilarity,
+         retries, vain, stranded, failures, attempts, chord] = state;
   visit("steps", steps);
   visit("phase", phase);
   visit("origin", origin);
