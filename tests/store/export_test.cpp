@@ -2,6 +2,7 @@
 #include "store_fixture.h"
 
 #include <homeward/store/export.h>
+#include <homeward/store/map_check.h>
 
 #include "test_paths.h"
 #include "xml.h"
@@ -28,64 +29,137 @@ std::string contentsOf(const std::filesystem::path &path)
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/** SQL statements on the file, with none of the module's care. */
+void meddle(const std::filesystem::path &path, const std::string &sql)
+{
+  sqlite3 *database = nullptr;
+  EXPECT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(database);
+  EXPECT_EQ(sqlite3_close(database), SQLITE_OK);
+}
+
 class ExportTest : public StoreTest
 {
 protected:
   /** Builds a map file from the SQL text of tests/golden/store. */
-  MapFile golden() const
+  void makeGolden(const std::string &name) const
   {
-    const std::string sql = contentsOf(goldenDir() / "store" / "map_v1.sql");
-    sqlite3 *database = nullptr;
-    EXPECT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
-        << sqlite3_errmsg(database);
-    EXPECT_EQ(sqlite3_close(database), SQLITE_OK);
-    return MapFile::open(path());
+    std::filesystem::remove(path());
+    meddle(path(), contentsOf(goldenDir() / "store" / (name + ".sql")));
+  }
+
+  /** What tests/golden/store says of exportCanonical(), its origin apart. */
+  static std::string goldenText(const std::string &name)
+  {
+    const std::string text = contentsOf(goldenDir() / "store" / (name + ".canonical"));
+    return text.substr(text.find('\n') + 1);
   }
 };
 
-TEST_F(ExportTest, AVersion1FileIsStillRead)
+TEST_F(ExportTest, OldFilesAreStillRead)
 {
-  const MapFile file = golden();
-  EXPECT_EQ(file.header(), smallHeader());
-  EXPECT_EQ(file.map().nodes().size(), 3U);
-  EXPECT_EQ(file.log().size(), 3U);
-  EXPECT_EQ(file.value("at_node"), "2");
-  EXPECT_LE(cv::norm(file.panorama({2}).image, smallPanorama(2).image, cv::NORM_L1) / 256, 12.0);
-}
-
-TEST_F(ExportTest, AVersion1FileThatIsWrittenToBecomesOneOfToday)
-{
-  {
-    MapFile file = golden();
-    EXPECT_FALSE(file.map().edges().begin()->second.length);
-    file.append({.changes = {NodeAdded{{{3}, {}}}, EdgeAdded{{{2}, {3}, {0}, 0.1, 0.2, 1.9}}}});
+  for (const auto &[name, nodes] : {std::pair{"map_v1", 3U}, std::pair{"map_v2", 4U}}) {
+    makeGolden(name);
+    const MapFile file = MapFile::open(path());
+    EXPECT_EQ(file.header(), smallHeader());
+    EXPECT_EQ(file.map().nodes().size(), nodes);
+    EXPECT_EQ(file.map().nextNodeId(), NodeId{nodes});
+    EXPECT_EQ(file.log().size(), nodes);
+    EXPECT_EQ(file.value("at_node"), "2");
+    EXPECT_EQ(file.map().edge({0}).statistics, EdgeStatistics{});
+    EXPECT_FALSE(file.map().edge({0}).length);
+    EXPECT_LE(cv::norm(file.panorama({2}).image, smallPanorama(2).image, cv::NORM_L1) / 256, 12.0);
   }
-  const MapFile again = MapFile::open(path(), MapFile::Access::Read);
-  EXPECT_EQ(again.map().edges().size(), 3U);
-  EXPECT_EQ(again.map().edges().at({2}).length, 1.9);
-  EXPECT_FALSE(again.map().edges().at({0}).length);
 }
 
-TEST_F(ExportTest, AVersion1FileIsReadWithoutBeingTouched)
+TEST_F(ExportTest, OldFilesThatAreWrittenToBecomeOnesOfToday)
 {
-  golden().close();
-  sqlite3 *database = nullptr;
-  ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
-  EXPECT_EQ(sqlite3_exec(database, "ALTER TABLE edge DROP COLUMN length_m; PRAGMA user_version = 1",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  EXPECT_EQ(sqlite3_close(database), SQLITE_OK);
-  const std::string before = contentsOf(path());
-  EXPECT_EQ(MapFile::open(path(), MapFile::Access::Read).map().edges().size(), 2U);
-  EXPECT_EQ(contentsOf(path()), before);
+  for (const std::string name : {"map_v1", "map_v2"}) {
+    makeGolden(name);
+    const TopologicalMap before = MapFile::open(path(), MapFile::Access::Read).map();
+    TopologicalMap after = before;
+    {
+      MapFile file = MapFile::open(path());
+      const std::vector<MapChange> changes = {
+          NodeAdded{{after.nextNodeId(), {}, "hall"}},
+          EdgeAdded{{after.nextEdgeId(), {2}, after.nextNodeId(), 0.1, 0.2, 1.9}},
+          EdgeTried{{0}, "", 9.0, 1.0}, EdgeForbidden{{1}}};
+      file.append({.changes = changes});
+      for (const MapChange &change : changes) {
+        after.apply(change);
+      }
+      file.edit("delete node 0", {.changes = {NodeRemoved{{0}}}});
+      EXPECT_EQ(file.undo().description, "delete node 0");
+    }
+    EXPECT_EQ(MapFile::open(path(), MapFile::Access::Read).map(), after);
+  }
+}
+
+TEST_F(ExportTest, OldFilesAreReadWithoutBeingTouched)
+{
+  for (const std::string name : {"map_v1", "map_v2"}) {
+    makeGolden(name);
+    const std::string before = contentsOf(path());
+    const auto file = MapFile::open(path(), MapFile::Access::Read);
+    EXPECT_EQ(exportCanonical(file), goldenText(name));
+    EXPECT_TRUE(file.journal().empty());
+    EXPECT_TRUE(checkMap(path()).findings.empty());
+    EXPECT_EQ(contentsOf(path()), before);
+  }
 }
 
 TEST_F(ExportTest, CanonicalTextIsTheGoldenOne)
 {
-  const std::string text = contentsOf(goldenDir() / "store" / "map_v1.canonical");
-  const std::string withoutOrigin = text.substr(text.find('\n') + 1);
-  EXPECT_EQ(exportCanonical(golden()), withoutOrigin);
+  for (const std::string name : {"map_v1", "map_v2"}) {
+    makeGolden(name);
+    EXPECT_EQ(exportCanonical(MapFile::open(path())), goldenText(name));
+  }
+}
+
+/** As fill(), with a name, a no-go way, and one that was tried. */
+MapFile usedMap(const std::filesystem::path &path)
+{
+  auto file = MapFile::create(path, smallHeader());
+  fill(file);
+  file.append({.changes = {NodeNamed{{0}, "the \"lab\" <1>"}, NodeNamed{{1}, "hall"},
+                           EdgeTried{{1}, "", 12.5, 1.7e9}, EdgeTried{{1}, "lost", 3.0, 1.8e9},
+                           EdgeForbidden{{0}}}});
+  return file;
+}
+
+TEST_F(ExportTest, CanonicalTextHasNamesAndUseButNoTimeOfDay)
+{
+  const std::string text = exportCanonical(usedMap(path()));
+  EXPECT_THAT(text, HasSubstr("\nnode 0 view 1aeea15242bb467c name \"the \\\"lab\\\" <1>\"\n"));
+  EXPECT_THAT(text, HasSubstr("\nedge 0 0 1 0.500000 -2.000000 unknown forbidden\n"));
+  EXPECT_THAT(text, HasSubstr("\nedge 1 2 1 1.500000 unknown unknown tried 2 arrived 1 mean "
+                              "12.500000 last \"lost\"\n"));
+}
+
+TEST_F(ExportTest, OtherFormsHaveNamesAndUse)
+{
+  const auto file = usedMap(path());
+  const nlohmann::json json = nlohmann::json::parse(exportJson(file));
+  EXPECT_EQ(json["nodes"][0]["name"], "the \"lab\" <1>");
+  EXPECT_EQ(json["edges"][1]["tries"], 2);
+  EXPECT_EQ(json["edges"][1]["successes"], 1);
+  EXPECT_EQ(json["edges"][1]["mean_s"], 12.5);
+  EXPECT_EQ(json["edges"][1]["last_error"], "lost");
+  EXPECT_EQ(json["edges"][1]["last_time_s"], 1.8e9);
+  EXPECT_EQ(json["edges"][0]["forbidden"], true);
+
+  const std::string graphml = exportGraphml(file.map());
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(graphml.c_str()), tinyxml2::XML_SUCCESS);
+  EXPECT_THAT(graphml, HasSubstr("<data key=\"name\">the &quot;lab&quot; &lt;1&gt;</data>"));
+  EXPECT_THAT(graphml, HasSubstr("<data key=\"forbidden\">true</data>"));
+  EXPECT_THAT(graphml, HasSubstr("<data key=\"mean\">12.500000</data>"));
+
+  const std::string dot = exportDot(file.map());
+  EXPECT_THAT(dot, HasSubstr("  0 [peripheries=2, label=\"the \\\"lab\\\" <1>\"];\n"));
+  EXPECT_THAT(dot, HasSubstr("  1 [label=\"hall\"];\n"));
+  EXPECT_THAT(dot, HasSubstr("  0 -- 1 [style=dashed, color=red];\n"));
 }
 
 TEST_F(ExportTest, CanonicalTextTellsMapsApartButNotRuns)

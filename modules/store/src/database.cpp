@@ -169,8 +169,10 @@ Statement &Statement::bind(std::string_view value)
 
 Statement &Statement::bind(std::span<const unsigned char> value)
 {
-  m_database->check(
-      sqlite3_bind_blob64(m_handle, ++m_bound, value.data(), value.size(), SQLITE_TRANSIENT));
+  // As above, of an empty vector.
+  const unsigned char none = 0;
+  m_database->check(sqlite3_bind_blob64(m_handle, ++m_bound, value.empty() ? &none : value.data(),
+                                        value.size(), SQLITE_TRANSIENT));
   return *this;
 }
 

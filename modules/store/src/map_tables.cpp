@@ -40,6 +40,7 @@ CREATE TABLE run_log(seq INTEGER PRIMARY KEY, time_s REAL NOT NULL, line TEXT NO
 )";
 
 // What each version added to the one before; a new map is one of version 1 that went through all.
+// Rows are written anew, since sessions see no defaults of columns that a row was stored without.
 constexpr std::array<const char *, kSchemaVersion - 1> kSteps = {
     "ALTER TABLE edge ADD COLUMN length_m REAL",
     R"(
@@ -50,6 +51,8 @@ ALTER TABLE edge ADD COLUMN mean_seconds REAL NOT NULL DEFAULT 0;
 ALTER TABLE edge ADD COLUMN last_error TEXT NOT NULL DEFAULT '';
 ALTER TABLE edge ADD COLUMN last_time_s REAL NOT NULL DEFAULT 0;
 ALTER TABLE edge ADD COLUMN forbidden INTEGER NOT NULL DEFAULT 0 CHECK (forbidden IN (0, 1));
+UPDATE node SET name = '';
+UPDATE edge SET tries = 0;
 CREATE TABLE next_id(kind TEXT PRIMARY KEY, id INTEGER NOT NULL) STRICT;
 INSERT INTO next_id SELECT 'node', coalesce(max(id), -1) + 1 FROM node;
 INSERT INTO next_id SELECT 'edge', coalesce(max(id), -1) + 1 FROM edge;
