@@ -17,6 +17,10 @@ void addHomeCommand(CliCommand app);
 void addLocalizeCommand(CliCommand app);
 void addEvaluateCommand(CliCommand app);
 
+/** Each adds its command of `map`. */
+void addMapEditCommand(CliCommand map);
+void addMapMergeCommand(CliCommand map);
+
 /** Each adds its command of `evaluate`. */
 void addEvaluateHomingCommand(CliCommand evaluate);
 void addEvaluateArrivalCommand(CliCommand evaluate);

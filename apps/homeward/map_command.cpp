@@ -7,6 +7,7 @@
 #include <homeward/robot/robot_description.h>
 #include <homeward/sim/simulator.h>
 #include <homeward/store/export.h>
+#include <homeward/store/map_check.h>
 #include <homeward/store/map_file.h>
 #include <homeward/viewer/map_picture.h>
 
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 
 struct MapArguments
 {
+  std::vector<std::string> maps;
   std::string map;
   std::string output;
   std::string format;
@@ -42,7 +44,8 @@ void info(const MapArguments &arguments)
               map.nodes().size(), map.edges().size(), map.openDirectionCount(),
               static_cast<std::uintmax_t>(fs::file_size(arguments.map)));
   for (const auto &[id, node] : map.nodes()) {
-    std::printf("node %lld: ", static_cast<long long>(id.value));
+    std::printf("node %lld%s%s: ", static_cast<long long>(id.value), node.name.empty() ? "" : " ",
+                node.name.c_str());
     for (const NodeId neighbour : map.neighbours(id)) {
       std::printf("- %lld ", static_cast<long long>(neighbour.value));
     }
@@ -57,6 +60,23 @@ void info(const MapArguments &arguments)
   json["edges"] = map.edges().size();
   json["open_directions"] = map.openDirectionCount();
   writeJson(arguments.json, json);
+}
+
+int check(const std::vector<std::string> &maps)
+{
+  bool sound = true;
+  for (const std::string &map : maps) {
+    const MapCheck check = checkMap(map);
+    for (const std::string &finding : check.findings) {
+      std::fprintf(stderr, "homeward: %s\n", finding.c_str());
+    }
+    if (check.findings.empty()) {
+      std::printf("%s: ok, nodes %zu, edges %zu, pictures %zu\n", map.c_str(), check.nodes,
+                  check.edges, check.pictures);
+    }
+    sound = sound && check.findings.empty();
+  }
+  return sound ? kExitDone : kExitFailed;
 }
 
 /** The floor of the world that the map was made in, when the truth beside the map names it. */
@@ -130,7 +150,7 @@ void exportMap(const MapArguments &arguments)
 void addMapCommand(CliCommand app)
 {
   auto arguments = std::make_shared<MapArguments>();
-  CliCommand map = app.command("map", "Look at a map file");
+  CliCommand map = app.command("map", "Look at a map file, change it");
   map.requireCommand();
 
   CliCommand infoCommand = map.command("info", "What is in it");
@@ -165,6 +185,14 @@ void addMapCommand(CliCommand app)
     exportMap(*arguments);
     return kExitDone;
   });
+
+  CliCommand checkCommand = map.command("check", "Look for damage in files, pictures and graph");
+  checkCommand.examples("Example: homeward map check lab.hwm house.hwm");
+  checkCommand.option("maps", arguments->maps, "Map files").required();
+  checkCommand.run([arguments] { return check(arguments->maps); });
+
+  addMapEditCommand(map);
+  addMapMergeCommand(map);
 }
 
 } // namespace homeward

@@ -2,11 +2,11 @@
 #include <homeward/mission/explorer.h>
 
 #include "mission_words.h"
-#include "reckoning.h"
 
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
 #include <homeward/topology/planner.h>
+#include <homeward/topology/reckoning.h>
 
 #include <algorithm>
 #include <cmath>

@@ -51,6 +51,15 @@ void refuseExisting(const fs::path &path, MapFile::IfExists ifExists)
   }
 }
 
+void refuseBadName(const fs::path &file, MapFile::IfExists ifExists)
+{
+  refuseExisting(file, ifExists);
+  if (!fs::is_directory(file.parent_path())) {
+    throw StoreError("map " + file.string() + " cannot be made: there is no folder " +
+                     file.parent_path().string() + "; make it first");
+  }
+}
+
 void checkHeader(const MapHeader &header)
 {
   if (header.panorama.width < 1 || header.panorama.height < 1) {
@@ -123,11 +132,7 @@ MapFile MapFile::create(const fs::path &path, const MapHeader &header, IfExists 
 {
   checkHeader(header);
   const fs::path file = fs::absolute(path);
-  refuseExisting(file, ifExists);
-  if (!fs::is_directory(file.parent_path())) {
-    throw StoreError("map " + file.string() + " cannot be made: there is no folder " +
-                     file.parent_path().string() + "; make it first");
-  }
+  refuseBadName(file, ifExists);
   auto database = std::make_unique<Database>(partOf(file), Database::Mode::Create);
   // Alone from the first lock to the rename: a second program that starts the same map is refused.
   database->execute("PRAGMA locking_mode = EXCLUSIVE");
@@ -144,6 +149,24 @@ MapFile MapFile::create(const fs::path &path, const MapHeader &header, IfExists 
   }
   created.m_dataVersion = created.database().integer("PRAGMA data_version");
   return created;
+}
+
+MapFile MapFile::copyOf(const MapFile &original, const fs::path &path, IfExists ifExists)
+{
+  const fs::path file = fs::absolute(path);
+  refuseBadName(file, ifExists);
+  removeQuietly(partOf(file));
+  Statement(original.database(), "VACUUM INTO ?")
+      .bind(std::string_view(partOf(file).string()))
+      .run();
+  MapFile copy(file, std::make_unique<Database>(partOf(file), Database::Mode::ReadWrite));
+  copy.m_published = false;
+  copy.m_ifExists = ifExists;
+  copy.database().execute("PRAGMA locking_mode = EXCLUSIVE");
+  copy.load();
+  migrateTables(copy.database());
+  copy.m_dataVersion = copy.database().integer("PRAGMA data_version");
+  return copy;
 }
 
 MapFile MapFile::open(const fs::path &path, Access access)
@@ -202,11 +225,11 @@ void MapFile::expectWritable() const
   database();
 }
 
-TopologicalMap MapFile::changed(const MapUpdate &update) const
+TopologicalMap MapFile::changed(const TopologicalMap &map, const MapUpdate &update) const
 {
   expectWritable();
   checkLog(update.log);
-  TopologicalMap grown = m_map;
+  TopologicalMap grown = map;
   for (const MapChange &change : update.changes) {
     grown.apply(change);
   }
@@ -223,24 +246,40 @@ TopologicalMap MapFile::changed(const MapUpdate &update) const
 
 void MapFile::append(const MapUpdate &update)
 {
-  TopologicalMap grown = changed(update);
+  append(std::vector<MapUpdate>{update});
+}
+
+void MapFile::append(const std::vector<MapUpdate> &updates)
+{
+  expectWritable();
   Transaction transaction(database());
-  write(update, grown);
+  expectOwn();
+  TopologicalMap grown = m_map;
+  bool picturesGone = false;
+  for (const MapUpdate &update : updates) {
+    TopologicalMap next = changed(grown, update);
+    write(update, grown, next);
+    grown = std::move(next);
+    picturesGone = picturesGone || takesPicturesAway(update);
+  }
   transaction.commit();
-  finish(update, std::move(grown));
+  m_pictureChanges += picturesGone ? 1 : 0;
+  finish(std::move(grown));
 }
 
 std::int64_t MapFile::edit(const std::string &description, const MapUpdate &update)
 {
-  TopologicalMap grown = changed(update);
+  TopologicalMap grown = changed(m_map, update);
   Transaction transaction(database());
+  expectOwn();
   const std::int64_t number = writeEdit(description, update, grown);
   if (readMap(database()) != grown) {
     throw LogicError("map " + m_path.string() + ": the rows of \"" + description +
                      "\" say something else");
   }
   transaction.commit();
-  finish(update, std::move(grown));
+  m_pictureChanges += takesPicturesAway(update) ? 1 : 0;
+  finish(std::move(grown));
   return number;
 }
 
@@ -248,7 +287,7 @@ std::int64_t MapFile::writeEdit(const std::string &description, const MapUpdate 
                                 const TopologicalMap &grown)
 {
   const ChangeRecorder recorder(database());
-  write(update, grown);
+  write(update, m_map, grown);
   Statement(database(), "INSERT INTO journal(description, changeset) VALUES (?, ?)")
       .bind(std::string_view(description))
       .bind(std::span<const unsigned char>(recorder.changes()))
@@ -313,11 +352,11 @@ void MapFile::expectOwn() const
   }
 }
 
-void MapFile::write(const MapUpdate &update, const TopologicalMap &grown)
+void MapFile::write(const MapUpdate &update, const TopologicalMap &before,
+                    const TopologicalMap &after)
 {
-  expectOwn();
   Database &file = database();
-  writeDifference(file, m_map, grown);
+  writeDifference(file, before, after);
   if (update.view) {
     if (hasView(update.view->node)) {
       throw LogicError("map " + m_path.string() + ": node " +
@@ -336,13 +375,12 @@ void MapFile::write(const MapUpdate &update, const TopologicalMap &grown)
   writeValues(file, update.values);
 }
 
-void MapFile::finish(const MapUpdate &update, TopologicalMap grown)
+void MapFile::finish(TopologicalMap grown)
 {
   if (!m_published && !grown.nodes().empty()) {
     publish();
   }
   m_map = std::move(grown);
-  m_pictureChanges += takesPicturesAway(update) ? 1 : 0;
 }
 
 void MapFile::publish()

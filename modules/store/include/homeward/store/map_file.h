@@ -104,6 +104,13 @@ public:
                         IfExists ifExists = IfExists::Refuse);
 
   /**
+   * Starts a new map with all that another holds now, brought to today's version. It gets its name
+   * with the first append(); the other stays as it is. Throws as create().
+   */
+  static MapFile copyOf(const MapFile &original, const std::filesystem::path &path,
+                        IfExists ifExists = IfExists::Refuse);
+
+  /**
    * Opens a map, checks the whole file and loads the graph.
    * @throw StoreError, in one line, when the file is missing, not a map, damaged, or was made by a
    * newer version
@@ -131,6 +138,9 @@ public:
    * map stays as it was
    */
   void append(const MapUpdate &update);
+
+  /** As append(), of several one after the other: all of them or nothing. */
+  void append(const std::vector<MapUpdate> &updates);
 
   /**
    * As append(), and the file remembers how to take it back.
@@ -189,13 +199,13 @@ private:
   void load();
   void beginWriting();
   void expectWritable() const;
-  TopologicalMap changed(const MapUpdate &update) const;
+  TopologicalMap changed(const TopologicalMap &map, const MapUpdate &update) const;
   void expectOwn() const;
-  void write(const MapUpdate &update, const TopologicalMap &grown);
+  void write(const MapUpdate &update, const TopologicalMap &before, const TopologicalMap &after);
   std::int64_t writeEdit(const std::string &description, const MapUpdate &update,
                          const TopologicalMap &grown);
   std::pair<JournalEntry, std::vector<unsigned char>> newestEdit() const;
-  void finish(const MapUpdate &update, TopologicalMap grown);
+  void finish(TopologicalMap grown);
   void publish();
 
   std::filesystem::path m_path;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reckoning.h"
+#include <homeward/topology/reckoning.h>
 
 #include <homeward/topology/planner.h>
 
