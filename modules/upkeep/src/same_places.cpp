@@ -95,6 +95,7 @@ std::vector<PlacePair> agreeingPairs(const TopologicalMap &a, const TopologicalM
       best = set;
     }
   }
+  std::stable_sort(best.begin(), best.end(), likelier);
   const bool enough = best.size() > 1 || (best.size() == 1 && best.front().probability >= kAlone);
   return enough ? best : std::vector<PlacePair>{};
 }
