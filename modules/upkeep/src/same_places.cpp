@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/upkeep/same_places.h>
 
-#include <homeward/homing/visual_compass.h>
+#include <homeward/homing/min_warping.h>
 #include <homeward/pilot/place_memory.h>
 #include <homeward/topology/reckoning.h>
 
@@ -20,8 +20,9 @@ constexpr double kTurnError = 0.5; ///< radians, two sigma of a chain of bearing
 
 std::optional<double> turnBetween(const Panorama &a, const Panorama &b)
 {
-  const auto reading = visualCompass(b, a);
-  return reading ? std::optional(reading->headingChange) : std::nullopt;
+  MinWarping warping;
+  const auto home = warping.compute(b, a); // knows the turn of displaced views, as no compass does
+  return home ? std::optional(home->headingChange) : std::nullopt;
 }
 
 /** Whether the ways of both maps lead alike from the places of one pair to those of another. */
