@@ -176,11 +176,13 @@ TEST(AgreeingPairs, LeaveOutWhatLiesElsewhereOrStandsOtherwise)
 
 TEST(AgreeingPairs, KeepEachPlaceOnce)
 {
-  const TopologicalMap map = rowOf(kCorridor);
+  const TopologicalMap map = rowOf({{0.0, 0.0, 0.0}, {0.6, 0.0, 0.0}, {8.0, 0.0, 0.0}});
   const PlacePair best{{0}, {0}, 0.97, 0.0};
-  const PlacePair again{{0}, {1}, 0.96, 0.0};
   const PlacePair third{{2}, {2}, 0.95, 0.0};
-  EXPECT_THAT(agreeingPairs(map, map, {best, again, third}), ElementsAre(best, third));
+  EXPECT_THAT(agreeingPairs(map, map, {best, {{0}, {1}, 0.96, 0.0}, third}),
+              ElementsAre(best, third));
+  EXPECT_THAT(agreeingPairs(map, map, {best, {{1}, {0}, 0.96, 0.0}, third}),
+              ElementsAre(best, third));
 }
 
 TEST(AgreeingPairs, OneAloneMustBeSurer)
