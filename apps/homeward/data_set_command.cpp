@@ -39,7 +39,7 @@ void applyChange(ViewSource &source, const SimulatedRobot &robot, const std::vec
   ChangedScene changed =
       changeScene(robot.scene(), robot.simulator().freeSpace(), views, change, source.seed);
   std::printf("changed: %zu people, %zu pieces of furniture moved\n", changed.people,
-              changed.moved);
+              changed.moved.size());
   source.scene = std::make_shared<const Scene>(std::move(changed.scene));
 }
 

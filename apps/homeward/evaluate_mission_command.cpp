@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
 #include "files.h"
+#include "mission_robot.h"
 #include "mission_setup.h"
 #include "mission_study.h"
 #include "mission_table.h"
@@ -38,6 +39,7 @@ struct MissionArguments
   std::vector<std::string> without; ///< recoveries that are switched off
   std::size_t goals = 20;
   std::size_t kidnappings = 0;
+  std::size_t restless = 0; ///< people who walk about while chairs get moved; 0: all is quiet
   std::string json;
 
   const std::string &goalLight() const { return lightNow.empty() ? light : lightNow; }
@@ -67,6 +69,9 @@ MissionTrialOptions trialOptions(const MissionArguments &arguments, const RobotF
   options.lightNow = parseLightPreset(arguments.goalLight());
   options.goals = arguments.goals;
   options.kidnappings = arguments.kidnappings;
+  if (arguments.restless > 0) {
+    options.restlessness = Restlessness{.people = arguments.restless};
+  }
   switchOff(arguments.without, options);
   return options;
 }
@@ -89,7 +94,8 @@ nlohmann::json studyOptions(const MissionArguments &arguments, const RobotFiles 
           {"light", arguments.light},
           {"light_now", arguments.goalLight()},
           {"goals", arguments.goals},
-          {"kidnappings", arguments.kidnappings}};
+          {"kidnappings", arguments.kidnappings},
+          {"restless", arguments.restless}};
 }
 
 void say(const MissionTrial &trial)
@@ -218,6 +224,7 @@ void addEvaluateMissionCommand(CliCommand evaluate)
               "Drives from anywhere through each map, by a robot that was carried off")
       .between(0, 10000)
       .showDefault();
+  addRestless(command, arguments->restless);
   command.option("--rig", arguments->rig, "Rig file: robot, camera, limits (YAML)");
   command.option("--light", arguments->light, "day, twilight, night or two_lamps").showDefault();
   command.option("--light-now", arguments->lightNow, "Light of the drives (default: as --light)");

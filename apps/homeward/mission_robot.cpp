@@ -5,6 +5,7 @@
 #include "remote_truth.h"
 
 #include <homeward/core/error.h>
+#include <homeward/evaluation/restless_world.h>
 
 namespace homeward
 {
@@ -14,9 +15,16 @@ namespace
 class InProcess final : public MissionRobot
 {
 public:
-  InProcess(const SimulationArguments &arguments, std::optional<Pose2> start)
-      : m_robot(arguments, start), m_world{m_robot.worldFile(), arguments.light, arguments.seed}
-  {}
+  InProcess(const RobotArguments &arguments, std::optional<Pose2> start)
+      : m_robot(arguments.simulation, start), m_world{m_robot.worldFile(),
+                                                      arguments.simulation.light,
+                                                      arguments.simulation.seed}
+  {
+    if (arguments.restless > 0) {
+      m_restless.emplace(m_robot.simulator(), m_robot.sharedScene(),
+                         Restlessness{.people = arguments.restless}, arguments.simulation.seed);
+    }
+  }
 
   Devices devices() override { return m_robot.devices(); }
   const RobotFiles &files() const override { return m_robot.files(); }
@@ -28,6 +36,7 @@ public:
 private:
   SimulatedRobot m_robot;
   SimulatedWorld m_world;
+  std::optional<RestlessWorld> m_restless;
 };
 
 class Connected final : public MissionRobot
@@ -65,6 +74,14 @@ private:
 
 } // namespace
 
+void addRestless(CliCommand command, std::size_t &people)
+{
+  command
+      .option("--restless", people,
+              "So many people walk about in the simulated world, and its chairs get moved")
+      .between(0, 1000);
+}
+
 void addRobotArguments(CliCommand command, RobotArguments &arguments)
 {
   addSimulationArguments(command, arguments.simulation);
@@ -74,6 +91,7 @@ void addRobotArguments(CliCommand command, RobotArguments &arguments)
       .positive();
   command.option("--truth", arguments.truth,
                  "Judge the mission by what a pioneer-sim at this URL knows");
+  addRestless(command, arguments.restless);
 }
 
 std::unique_ptr<MissionRobot> makeMissionRobot(const RobotArguments &arguments,
@@ -85,11 +103,15 @@ std::unique_ptr<MissionRobot> makeMissionRobot(const RobotArguments &arguments,
       throw ConfigError("--clock-rate and --truth need a rig with real devices, and " +
                         files.rigFile.string() + " has none");
     }
-    return std::make_unique<InProcess>(arguments.simulation, start);
+    return std::make_unique<InProcess>(arguments, start);
   }
   if (!arguments.simulation.world.empty() || !arguments.simulation.start.empty()) {
     throw ConfigError("the rig " + files.rigFile.string() +
                       " is a real one: it has no --world and no --start");
+  }
+  if (arguments.restless > 0) {
+    throw ConfigError("the rig " + files.rigFile.string() +
+                      " is a real one: its people come by themselves, without --restless");
   }
   if (arguments.clockRate != 0.0) {
     files.rig.devices->clockRate = arguments.clockRate;

@@ -47,7 +47,11 @@ struct RobotArguments
   SimulationArguments simulation; ///< its rig may be a real one
   double clockRate = 0.0;         ///< 0: as the rig says
   std::string truth;              ///< URL of what pioneer-sim knows; empty: nothing is known
+  std::size_t restless = 0;       ///< people who walk about while chairs get moved; 0: all is quiet
 };
+
+/** `--restless N`. */
+void addRestless(CliCommand command, std::size_t &people);
 
 void addRobotArguments(CliCommand command, RobotArguments &arguments);
 

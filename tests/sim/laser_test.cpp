@@ -24,8 +24,9 @@ LaserOptions exact()
 
 LaserModel laserIn(Scene scene, const LaserOptions &options, std::uint64_t seed = 1)
 {
-  return {std::make_shared<RayCaster>(share(std::move(scene)), RayCaster::Layer::Collision),
-          testRobot().rMl, options, seed};
+  const SolidWorld world{
+      std::make_shared<RayCaster>(share(std::move(scene)), RayCaster::Layer::Collision)};
+  return {world, testRobot().rMl, options, seed};
 }
 
 TEST(Laser, halfCircleHasBothEndsAndFullCircleNoTwin)

@@ -30,6 +30,38 @@ std::string refusal(const Scene &scene, const Pose2 &start)
   return "";
 }
 
+/** A room of 6 m x 4 m, the robot in it at (1, 2) looking along x. */
+std::unique_ptr<Simulator> inRoom(const Scene &scene)
+{
+  SimulatorOptions options;
+  options.start = Pose2{1.0, 2.0, 0.0};
+  options.laser.sigma = 0.0;
+  options.laser.dropOutRate = 0.0;
+  options.laser.faultRate = 0.0;
+  return std::make_unique<Simulator>(share(scene), testRobot(), testCamera(), options);
+}
+
+/** A box of 1.8 m height, 2 m ahead of that robot. */
+Scene withBox(Scene scene)
+{
+  addBox(scene, {3.0F, 1.0F, 0.0F}, {3.5F, 3.0F, 1.8F}, {0.9F, 0.0F, 0.0F});
+  return scene;
+}
+
+float ahead(Simulator &simulator)
+{
+  return simulator.laser().scan()->ranges[90];
+}
+
+/** Drives for 8 s at 0.4 m/s. */
+void driveOn(Simulator &simulator)
+{
+  for (int tick = 0; tick < 80; ++tick) {
+    simulator.base().drive({0.4, 0.0});
+    simulator.clock().sleepUntil(simulator.clock().now() + std::chrono::milliseconds(100));
+  }
+}
+
 struct Journey
 {
   Pose2 pose;
@@ -38,7 +70,8 @@ struct Journey
   double sonarSum = 0.0;
 };
 
-Journey wander(std::uint64_t seed)
+/** @param before called before each tick */
+Journey wander(std::uint64_t seed, const std::function<void(Simulator &)> &before = {})
 {
   SimulatorOptions options;
   options.seed = seed;
@@ -47,6 +80,9 @@ Journey wander(std::uint64_t seed)
   Simulator simulator(share(std::move(scene)), testRobot(), testCamera(), options);
   Journey journey;
   for (int tick = 0; tick < 200; ++tick) {
+    if (before) {
+      before(simulator);
+    }
     simulator.base().drive({0.3, 0.4 * std::sin(0.1 * tick)});
     simulator.clock().sleepUntil(simulator.clock().now() + std::chrono::milliseconds(100));
     const auto scan = simulator.laser().scan();
@@ -130,6 +166,98 @@ TEST(Simulator, sensorsAskedTwiceInOneInstantSayTheSame)
   }
   const auto sonar = simulator.base().state().sonar;
   EXPECT_EQ(sonar.at(3).range, simulator.base().state().sonar.at(3).range);
+}
+
+TEST(Simulator, everySensorAndTheBodyMeetWhatIsPutThere)
+{
+  const auto simulator = inRoom(makeRoom(6.0F, 4.0F));
+  const float wall = ahead(*simulator);
+  const cv::Mat before = simulator->camera().grab()->image;
+  const double echo = simulator->base().state().sonar.at(3).range;
+  const double area = simulator->freeSpace().area();
+
+  Scene things;
+  things = withBox(std::move(things));
+  simulator->put(share(things));
+  EXPECT_NEAR(wall - ahead(*simulator), 3.0F, 0.02F);
+  EXPECT_LT(simulator->base().state().sonar.at(3).range, echo - 1.0);
+  EXPECT_GT(cv::norm(simulator->camera().grab()->image, before, cv::NORM_INF), 50.0);
+  EXPECT_EQ(simulator->freeSpace().area(), area);
+  EXPECT_THROW(simulator->kidnap({3.2, 2.0, 0.0}), ConfigError);
+  driveOn(*simulator);
+  EXPECT_TRUE(simulator->base().state().stalled);
+  EXPECT_EQ(simulator->truth().collisions, 1);
+  EXPECT_NEAR(simulator->truth().pose.x, 2.75, 0.03);
+
+  simulator->put(nullptr);
+  EXPECT_GT(ahead(*simulator), 2.0F);
+  driveOn(*simulator);
+  EXPECT_GT(simulator->truth().pose.x, 5.0);
+}
+
+TEST(Simulator, aChangedWorldIsTheWorldFromThenOn)
+{
+  const Scene empty = makeRoom(6.0F, 4.0F);
+  const auto simulator = inRoom(empty);
+  const float wall = ahead(*simulator);
+  const cv::Mat before = simulator->camera().grab()->image;
+  const Pose2 odometry = simulator->base().state().odometry;
+  const double area = simulator->freeSpace().area();
+
+  simulator->change(share(withBox(empty)));
+  EXPECT_NEAR(wall - ahead(*simulator), 3.0F, 0.02F);
+  EXPECT_GT(cv::norm(simulator->camera().grab()->image, before, cv::NORM_INF), 50.0);
+  EXPECT_EQ(simulator->base().state().odometry.x, odometry.x);
+  EXPECT_EQ(simulator->freeSpace().area(), area);
+  driveOn(*simulator);
+  EXPECT_NEAR(simulator->truth().pose.x, 2.75, 0.03);
+
+  simulator->change(share(empty));
+  driveOn(*simulator);
+  EXPECT_GT(simulator->truth().pose.x, 5.0);
+}
+
+TEST(Simulator, nothingIsPutOntoTheRobot)
+{
+  const Scene empty = makeRoom(6.0F, 4.0F);
+  const auto simulator = inRoom(empty);
+  const float wall = ahead(*simulator);
+  Scene onIt = empty;
+  addBox(onIt, {1.0F, 1.8F, 0.0F}, {1.4F, 2.2F, 1.0F});
+  EXPECT_THROW(simulator->change(share(onIt)), ConfigError);
+  EXPECT_THROW(simulator->put(share(onIt)), ConfigError);
+  EXPECT_EQ(ahead(*simulator), wall);
+  driveOn(*simulator);
+  EXPECT_GT(simulator->truth().pose.x, 3.0);
+}
+
+TEST(Simulator, aChangeToTheSameChangesNothing)
+{
+  Scene scene = makeRoom(8.0F, 8.0F);
+  addBox(scene, {4.0F, 4.0F, 0.0F}, {4.5F, 4.5F, 1.0F});
+  const auto same = share(std::move(scene));
+  int calls = 0;
+  const Journey quiet = wander(11);
+  const Journey busy = wander(11, [&](Simulator &simulator) {
+    simulator.put(share(Scene()));
+    if (++calls % 50 == 0) {
+      simulator.change(same);
+    }
+  });
+  EXPECT_EQ(quiet.pose.x, busy.pose.x);
+  EXPECT_EQ(quiet.odometry.x, busy.odometry.x);
+  EXPECT_EQ(quiet.rangeSum, busy.rangeSum);
+  EXPECT_EQ(quiet.sonarSum, busy.sonarSum);
+}
+
+TEST(Simulator, saysWhenAStepOfTheWorldBegins)
+{
+  const auto simulator = inRoom(makeRoom(6.0F, 4.0F));
+  std::vector<Time> steps;
+  simulator->onStep = [&](Time now) { steps.push_back(now); };
+  simulator->clock().sleepUntil(Time{} + 3 * Simulator::kStep);
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_EQ(steps.back(), Time{} + 2 * Simulator::kStep);
 }
 
 } // namespace

@@ -21,8 +21,9 @@ RobotDescription oneSonarAhead()
 
 SonarModel sonarIn(Scene scene, const RobotDescription &robot)
 {
-  return {std::make_shared<RayCaster>(share(std::move(scene)), RayCaster::Layer::Collision), robot,
-          1};
+  const SolidWorld world{
+      std::make_shared<RayCaster>(share(std::move(scene)), RayCaster::Layer::Collision)};
+  return {world, robot, 1};
 }
 
 TEST(Sonar, hearsAWallAheadAndEveryTransducerAnswers)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/evaluation/changed_scene.h>
 
+#include "person.h"
+
 #include <homeward/core/angle.h>
 #include <homeward/core/random.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string>
 
@@ -57,11 +58,8 @@ public:
       const double share = m_random.uniform(0.0, static_cast<double>(cells.size()));
       const auto cell = std::min(cells.size() - 1, static_cast<std::size_t>(share));
       const Eigen::Vector2f at = cells[cell].cast<float>();
-      const Eigen::Vector2f half(0.15F, 0.22F);
-      const Box person(Eigen::Vector3f(at.x() - half.x(), at.y() - half.y(), 0.0F),
-                       Eigen::Vector3f(at.x() + half.x(), at.y() + half.y(), 1.72F));
-      if (fits("", person)) {
-        addPerson(person);
+      if (fits("", personBox(at))) {
+        addPersonAt(at);
       }
     }
   }
@@ -122,7 +120,7 @@ private:
                          Eigen::Translation3f(-middle));
         std::erase_if(m_parts, [&](const Part &part) { return part.model == model; });
         m_parts.push_back({model, there});
-        ++m_result.moved;
+        m_result.moved.push_back(there);
         return;
       }
     }
@@ -144,47 +142,11 @@ private:
     }
   }
 
-  /** Legs, body and head of a colour each. */
-  void addPerson(const Box &person)
+  void addPersonAt(const Eigen::Vector2f &at)
   {
     const std::string name = "person_" + std::to_string(m_result.people++);
-    const auto colour = [this] {
-      return Eigen::Vector3f(static_cast<float>(m_random.uniform(0.03, 0.7)),
-                             static_cast<float>(m_random.uniform(0.03, 0.7)),
-                             static_cast<float>(m_random.uniform(0.03, 0.7)));
-    };
-    const std::array<float, 4> heights{person.min().z(), 0.85F, 1.45F, person.max().z()};
-    const std::array<Eigen::Vector3f, 3> colours{colour(), colour(), {0.5F, 0.33F, 0.25F}};
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-      Box part = person;
-      part.min().z() = heights[i];
-      part.max().z() = heights[i + 1];
-      m_result.scene.materials.push_back({colours[i]});
-      Mesh mesh = boxMesh(part);
-      mesh.model = name;
-      m_result.scene.collisions.push_back(mesh);
-      mesh.material = static_cast<int>(m_result.scene.materials.size()) - 1;
-      m_result.scene.visuals.push_back(mesh);
-    }
-    m_parts.push_back({name, person});
-  }
-
-  static Mesh boxMesh(const Box &box)
-  {
-    Mesh mesh;
-    for (int corner = 0; corner < 8; ++corner) {
-      mesh.vertices.push_back(box.corner(static_cast<Box::CornerType>(corner)));
-    }
-    for (const auto &[a, b, c, d] : std::array<std::array<int, 4>, 6>{{{0, 1, 3, 2},
-                                                                       {4, 6, 7, 5},
-                                                                       {0, 4, 5, 1},
-                                                                       {2, 3, 7, 6},
-                                                                       {0, 2, 6, 4},
-                                                                       {1, 5, 7, 3}}}) {
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
-    return mesh;
+    addPerson(m_result.scene, name, at, drawPersonColours(m_random));
+    m_parts.push_back({name, personBox(at)});
   }
 
   const FreeSpace &m_space;

@@ -38,6 +38,16 @@ SimulatorOptions simulation(const MissionTrialOptions &options, std::uint64_t se
   return simulator;
 }
 
+/** What goes on in a simulated world, as the options say; nothing where it is quiet. */
+std::unique_ptr<RestlessWorld> restlessWorld(const MissionTrialOptions &options,
+                                             Simulator &simulator, const MissionTask &task,
+                                             std::uint64_t seed)
+{
+  return options.restlessness
+             ? std::make_unique<RestlessWorld>(simulator, task.scene, *options.restlessness, seed)
+             : nullptr;
+}
+
 /** One exploration, with what only the simulator knows of it. */
 class Exploration
 {
@@ -47,6 +57,7 @@ public:
       : m_options(options), m_stop(stop),
         m_simulator(task.scene, options.robot, options.camera,
                     simulation(options, task.seed, options.light)),
+        m_restless(restlessWorld(options, m_simulator, task, task.seed)),
         m_file(MapFile::create(task.map, options.header, MapFile::IfExists::Replace))
   {
     m_log.world = task.worldFile;
@@ -124,6 +135,7 @@ private:
   const MissionTrialOptions &m_options;
   const std::atomic<bool> &m_stop;
   Simulator m_simulator;
+  std::unique_ptr<RestlessWorld> m_restless; ///< null where it is quiet
   MapFile m_file;
   TruthLog m_log;
   Pose2 m_viewTruth; ///< where the last survey's picture was taken
@@ -137,6 +149,7 @@ void driveThrough(const MissionTask &task, const MissionTrialOptions &options, c
   SimulatorOptions how = simulation(options, seed, options.lightNow);
   how.start = log.start;
   Simulator simulator(task.scene, options.robot, options.camera, how);
+  const auto restless = restlessWorld(options, simulator, task, seed);
   const MapFile file = MapFile::open(task.map, MapFile::Access::Read);
   const GoalDriver driver{simulator, options.robot, options.camera, options.navigating,
                           options.navigator};

@@ -40,9 +40,9 @@ std::size_t countOf(const LaserOptions &options)
 
 } // namespace
 
-LaserModel::LaserModel(std::shared_ptr<const RayCaster> collisions, const Eigen::Isometry3d &rMl,
-                       const LaserOptions &options, std::uint64_t seed)
-    : m_collisions(std::move(collisions)), m_rMl(rMl), m_options(options),
+LaserModel::LaserModel(SolidWorld world, const Eigen::Isometry3d &rMl, const LaserOptions &options,
+                       std::uint64_t seed)
+    : m_world(std::move(world)), m_rMl(rMl), m_options(options),
       m_random(seed, static_cast<std::uint32_t>(RandomStream::Laser))
 {
   check(options);
@@ -65,8 +65,8 @@ Scan LaserModel::measure(Time stamp, const Pose2 &wMr)
   scan.ranges.reserve(m_rays.size());
   for (const Eigen::Vector3d &ray : m_rays) {
     const Eigen::Vector3d direction = wMl.linear() * ray;
-    scan.ranges.push_back(read(m_collisions->range(origin, direction.cast<float>(),
-                                                   static_cast<float>(m_options.rangeMax))));
+    scan.ranges.push_back(read(
+        m_world.range(origin, direction.cast<float>(), static_cast<float>(m_options.rangeMax))));
   }
   return scan;
 }

@@ -147,6 +147,8 @@ public:
     return picture;
   }
 
+  void put(std::shared_ptr<const Scene> things) { m_shader.put(std::move(things)); }
+
 private:
   /** Calls work(0) to work(count - 1), in any order, on the threads that the options allow. */
   template <typename Work> void inParallel(std::size_t count, const Work &work) const
@@ -246,6 +248,11 @@ MirrorRenderer::MirrorRenderer(std::shared_ptr<const Scene> scene, const Lightin
 MirrorRenderer::~MirrorRenderer() = default;
 MirrorRenderer::MirrorRenderer(MirrorRenderer &&) noexcept = default;
 MirrorRenderer &MirrorRenderer::operator=(MirrorRenderer &&) noexcept = default;
+
+void MirrorRenderer::put(std::shared_ptr<const Scene> things)
+{
+  m_impl->put(std::move(things));
+}
 
 cv::Mat MirrorRenderer::render(const Eigen::Isometry3d &wMp, Random &noise)
 {

@@ -63,7 +63,7 @@ RTCRay makeRay(const Eigen::Vector3f &origin, const Eigen::Vector3f &direction, 
 
 } // namespace
 
-EmbreeScene::EmbreeScene(const Scene &scene, const std::vector<Mesh> &meshes)
+EmbreeScene::EmbreeScene(const Scene &scene, const std::vector<Mesh> &meshes, unsigned firstId)
     // One building thread: the tree, and so the answer to a tie, is the same on every machine.
     : m_device(rtcNewDevice("threads=1")), m_scene(nullptr)
 {
@@ -75,7 +75,7 @@ EmbreeScene::EmbreeScene(const Scene &scene, const std::vector<Mesh> &meshes)
   rtcSetSceneFlags(m_scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (!meshes[i].triangles.empty() && !isSeeThrough(scene, meshes[i])) {
-      attach(m_device, m_scene, meshes[i], static_cast<unsigned>(i));
+      attach(m_device, m_scene, meshes[i], firstId + static_cast<unsigned>(i));
     }
   }
   rtcCommitScene(m_scene);

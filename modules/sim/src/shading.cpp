@@ -91,14 +91,23 @@ struct Shader::Surfaces
   }
 };
 
-Shader::Shader(std::shared_ptr<const Scene> scene, const Lighting &lighting, bool shadows)
-    : m_scene(std::move(scene)), m_lighting(lighting), m_shadows(shadows),
-      m_embree(*m_scene, m_scene->visuals)
+Shader::Layer::Layer(std::shared_ptr<const Scene> visible, unsigned first)
+    : scene(std::move(visible)), firstId(first), embree(*scene, scene->visuals, first)
 {
-  m_texelDensity.reserve(m_scene->visuals.size());
-  for (const Mesh &mesh : m_scene->visuals) {
-    m_texelDensity.push_back(texelDensity(*m_scene, mesh));
+  texelDensity.reserve(scene->visuals.size());
+  for (const Mesh &mesh : scene->visuals) {
+    texelDensity.push_back(homeward::texelDensity(*scene, mesh));
   }
+}
+
+Shader::Shader(std::shared_ptr<const Scene> scene, const Lighting &lighting, bool shadows)
+    : m_building(std::move(scene), 0U), m_lighting(lighting), m_shadows(shadows)
+{}
+
+void Shader::put(std::shared_ptr<const Scene> things)
+{
+  const auto first = static_cast<unsigned>(m_building.scene->visuals.size());
+  m_things = things ? std::make_unique<const Layer>(std::move(things), first) : nullptr;
 }
 
 RadiancePacket Shader::radiance(const Eigen::Vector3f &origin, const RayPacket &rays) const
@@ -121,7 +130,13 @@ RadiancePacket Shader::radiance(const Eigen::Vector3f &origin, const RayPacket &
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid.data(), m_embree.scene(), &context, &hits);
+  rtcIntersect16(valid.data(), m_building.embree.scene(), &context, &hits);
+  if (m_things) {
+    // The rays end where they met the building, so only what is nearer counts.
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid.data(), m_things->embree.scene(), &context, &hits);
+  }
 
   Surfaces surfaces;
   for (int i = 0; i < rays.count; ++i) {
@@ -151,7 +166,10 @@ void Shader::readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3
     return;
   }
   surfaces.hit[i] = true;
-  const Mesh &mesh = m_scene->visuals[hits.hit.geomID[lane]];
+  const bool ofBuilding = hits.hit.geomID[lane] < m_building.scene->visuals.size();
+  const Layer &layer = ofBuilding ? m_building : *m_things;
+  const std::size_t meshIndex = hits.hit.geomID[lane] - layer.firstId;
+  const Mesh &mesh = layer.scene->visuals[meshIndex];
   const std::size_t triangleIndex = hits.hit.primID[lane];
   const Eigen::Vector3i &triangle = mesh.triangles[triangleIndex];
   const float u = hits.hit.u[lane];
@@ -181,15 +199,15 @@ void Shader::readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3
         upward * m_lighting.sky[axis] + (1.0F - upward) * m_lighting.ground[axis];
   }
 
-  const Material &material = m_scene->materials[static_cast<std::size_t>(mesh.material)];
+  const Material &material = layer.scene->materials[static_cast<std::size_t>(mesh.material)];
   surfaces.albedo[i] = material.diffuse;
   surfaces.emissive[i] = material.emissive;
-  const std::vector<float> &density = m_texelDensity[hits.hit.geomID[lane]];
+  const std::vector<float> &density = layer.texelDensity[meshIndex];
   if (!density.empty()) {
     // The geometric mean of the footprint's two axes, a bit sharper than the longer one.
     const float width = range * rays.spread[i] / std::sqrt(std::max(std::abs(cosine), 0.05F));
     surfaces.albedo[i] = surfaces.albedo[i].cwiseProduct(
-        sampleTexture(m_scene->textures[static_cast<std::size_t>(material.texture)],
+        sampleTexture(layer.scene->textures[static_cast<std::size_t>(material.texture)],
                       interpolate(mesh.uvs, triangle, u, v), width * density[triangleIndex]));
   }
 }
@@ -257,7 +275,13 @@ void Shader::removeShadowed(const Light &light, const Surfaces &surfaces, Lanes 
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded16(valid.data(), m_embree.scene(), &context, &rays);
+  rtcOccluded16(valid.data(), m_building.embree.scene(), &context, &rays);
+  if (m_things) {
+    for (int i = 0; i < kPacket; ++i) {
+      valid[static_cast<std::size_t>(i)] = strength[i] > 0.0F && rays.tfar[i] >= 0.0F ? -1 : 0;
+    }
+    rtcOccluded16(valid.data(), m_things->embree.scene(), &context, &rays);
+  }
   for (int i = 0; i < kPacket; ++i) {
     if (strength[i] > 0.0F && rays.tfar[i] < 0.0F) {
       strength[i] = 0.0F;

@@ -43,21 +43,37 @@ class Shader
 public:
   Shader(std::shared_ptr<const Scene> scene, const Lighting &lighting, bool shadows);
 
+  /**
+   * Things that are seen besides, instead of those put before.
+   * @param things their lights do not count; null: nothing
+   */
+  void put(std::shared_ptr<const Scene> things);
+
   RadiancePacket radiance(const Eigen::Vector3f &origin, const RayPacket &rays) const;
 
 private:
   struct Surfaces;
+
+  /** A scene's surfaces; the ids of the search tree's meshes begin at `firstId`. */
+  struct Layer
+  {
+    Layer(std::shared_ptr<const Scene> visible, unsigned first);
+
+    std::shared_ptr<const Scene> scene;
+    unsigned firstId;
+    EmbreeScene embree;
+    std::vector<std::vector<float>> texelDensity; ///< by mesh and triangle, texels a metre
+  };
 
   void readSurface(const RTCRayHit16 &hits, int lane, const Eigen::Vector3f &origin,
                    const RayPacket &rays, Surfaces &surfaces) const;
   void addLight(const Light &light, Surfaces &surfaces) const;
   void removeShadowed(const Light &light, const Surfaces &surfaces, Lanes &strength) const;
 
-  std::shared_ptr<const Scene> m_scene;
+  Layer m_building;
+  std::unique_ptr<const Layer> m_things; ///< null when there are none
   Lighting m_lighting;
   bool m_shadows;
-  EmbreeScene m_embree;
-  std::vector<std::vector<float>> m_texelDensity; ///< by mesh and triangle, texels a metre
 };
 
 } // namespace homeward

@@ -2,6 +2,7 @@
 #include <homeward/sim/simulator.h>
 
 #include "lift.h"
+#include "nearby_things.h"
 #include "random_streams.h"
 
 #include <homeward/core/error.h>
@@ -73,8 +74,27 @@ Surroundings surroundings(const std::shared_ptr<const Scene> &scene, const Robot
 /** The moving part, shared by the devices. */
 struct World
 {
-  Time now{};
   WheeledBase base;
+  std::shared_ptr<const CollisionMap> map;
+  NearbyThings things;
+  const std::function<void(Time)> &onStep;
+  Time now{};
+
+  void step()
+  {
+    if (onStep) {
+      onStep(now);
+    }
+    base.meet(map, things.around(base.pose()));
+    base.step(now, Simulator::kStep);
+    now += Simulator::kStep;
+  }
+
+  bool touches(const Pose2 &wMr)
+  {
+    const std::shared_ptr<const CollisionMap> near = things.around(wMr);
+    return map->touches(wMr) || (near && near->touches(wMr));
+  }
 };
 
 class SimulatedClock : public Clock
@@ -87,8 +107,7 @@ public:
   void sleepUntil(Time instant) override
   {
     while (m_world.now < instant) {
-      m_world.base.step(m_world.now, Simulator::kStep);
-      m_world.now += Simulator::kStep;
+      m_world.step();
     }
   }
 
@@ -130,6 +149,12 @@ public:
     return {m_world.now, base.odometry(), base.velocity(), base.stalled(), echoes};
   }
 
+  void setWorld(const SolidWorld &solid)
+  {
+    m_sonar.setWorld(solid);
+    forget();
+  }
+
   void forget() { m_echoes.forget(); }
 
 private:
@@ -147,6 +172,12 @@ public:
   {
     return m_scan.at(m_world.now,
                      [&] { return m_model.measure(m_world.now, m_world.base.pose()); });
+  }
+
+  void setWorld(const SolidWorld &solid)
+  {
+    m_model.setWorld(solid);
+    forget();
   }
 
   void forget() { m_scan.forget(); }
@@ -176,6 +207,20 @@ public:
     return Frame{frame.stamp, frame.image.clone()};
   }
 
+  void change(std::shared_ptr<const Scene> scene)
+  {
+    m_scene = std::move(scene);
+    m_renderer.reset();
+    forget();
+  }
+
+  void put(std::shared_ptr<const Scene> things)
+  {
+    m_things = std::move(things);
+    m_thingsAreNew = true;
+    forget();
+  }
+
   void forget() { m_frame.forget(); }
 
 private:
@@ -184,12 +229,19 @@ private:
     // Only who asks for a picture pays for the search tree over everything visible.
     if (!m_renderer) {
       m_renderer.emplace(m_scene, lightingFor(m_light, *m_scene), m_optics, m_options);
+      m_thingsAreNew = true;
+    }
+    if (m_thingsAreNew) {
+      m_renderer->put(m_things);
+      m_thingsAreNew = false;
     }
     return {m_world.now, m_renderer->render(lift(m_world.base.pose()) * m_rMp, m_noise)};
   }
 
   World &m_world;
   std::shared_ptr<const Scene> m_scene;
+  std::shared_ptr<const Scene> m_things; ///< null when there are none
+  bool m_thingsAreNew = false;           ///< to the renderer
   Eigen::Isometry3d m_rMp;
   TrueOptics m_optics;
   LightPreset m_light;
@@ -205,18 +257,29 @@ class Simulator::Impl
 {
 public:
   Impl(const std::shared_ptr<const Scene> &scene, const Surroundings &around,
-       const RobotDescription &robot, const MirrorCamera &nominal, const SimulatorOptions &options)
-      : map(around.map), space(map, around.grid, around.caster, robot.rMp.translation().z(),
-                               around.start.translation()),
-        world{Time{}, WheeledBase(map, options.limits, options.drive, options.seed, around.start)},
-        clock(world), base(world, SonarModel(around.caster, robot, options.seed)),
-        laser(world, LaserModel(around.caster, robot.rMl, options.laser, options.seed)),
+       const RobotDescription &robot, const MirrorCamera &nominal, const SimulatorOptions &options,
+       const std::function<void(Time)> &onStep)
+      : description(robot), solid{around.caster},
+        space(around.map, around.grid, around.caster, robot.rMp.translation().z(),
+              around.start.translation()),
+        world{WheeledBase(around.map, options.limits, options.drive, options.seed, around.start),
+              around.map, NearbyThings(robot), onStep},
+        clock(world), base(world, SonarModel(solid, robot, options.seed)),
+        laser(world, LaserModel(solid, robot.rMl, options.laser, options.seed)),
         camera(world, scene, robot.rMp, nominal, options)
   {
-    checkStart(*map, space, around.start);
+    checkStart(*world.map, space, around.start);
   }
 
-  std::shared_ptr<const CollisionMap> map;
+  /** Laser and sonar meet what `solid` has become. */
+  void sense()
+  {
+    base.setWorld(solid);
+    laser.setWorld(solid);
+  }
+
+  RobotDescription description;
+  SolidWorld solid;
   FreeSpace space;
   World world;
   SimulatedClock clock;
@@ -228,7 +291,7 @@ public:
 Simulator::Simulator(const std::shared_ptr<const Scene> &scene, const RobotDescription &robot,
                      const MirrorCamera &nominal, const SimulatorOptions &options)
     : m_impl(std::make_unique<Impl>(scene, surroundings(scene, robot, options), robot, nominal,
-                                    options))
+                                    options, onStep))
 {}
 
 Simulator::~Simulator() = default;
@@ -267,11 +330,46 @@ const FreeSpace &Simulator::freeSpace() const
 
 void Simulator::kidnap(const Pose2 &wMr)
 {
-  checkStart(*m_impl->map, m_impl->space, wMr);
-  m_impl->world.base.place(wMr);
+  World &world = m_impl->world;
+  checkStart(*world.map, m_impl->space, wMr);
+  if (world.touches(wMr)) {
+    throw ConfigError(describe(wMr) + " is where somebody or something stands now: choose another");
+  }
+  world.base.place(wMr);
   m_impl->base.forget();
   m_impl->laser.forget();
   m_impl->camera.forget();
+}
+
+void Simulator::change(const std::shared_ptr<const Scene> &scene)
+{
+  World &world = m_impl->world;
+  const auto caster = std::make_shared<const RayCaster>(scene, RayCaster::Layer::Collision);
+  const auto map = std::make_shared<const CollisionMap>(*caster, m_impl->description);
+  if (map->touches(world.base.pose())) {
+    throw ConfigError("the robot stands where the changed world '" + scene->name +
+                      "' has something: keep that place free");
+  }
+  world.map = map;
+  m_impl->solid.building = caster;
+  m_impl->sense();
+  m_impl->camera.change(scene);
+}
+
+void Simulator::put(const std::shared_ptr<const Scene> &things)
+{
+  World &world = m_impl->world;
+  NearbyThings near(m_impl->description);
+  near.put(things);
+  const std::shared_ptr<const CollisionMap> met = near.around(world.base.pose());
+  if (met && met->touches(world.base.pose())) {
+    throw ConfigError("a thing is put where the robot stands: keep that place free");
+  }
+  world.things = std::move(near);
+  m_impl->solid.things =
+      things ? std::make_shared<const RayCaster>(things, RayCaster::Layer::Collision) : nullptr;
+  m_impl->sense();
+  m_impl->camera.put(things);
 }
 
 } // namespace homeward

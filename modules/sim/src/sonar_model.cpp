@@ -35,9 +35,8 @@ constexpr double kSigma = 0.01; // metres
 
 } // namespace
 
-SonarModel::SonarModel(std::shared_ptr<const RayCaster> collisions, const RobotDescription &robot,
-                       std::uint64_t seed)
-    : m_collisions(std::move(collisions)), m_mounts(robot.sonars),
+SonarModel::SonarModel(SolidWorld world, const RobotDescription &robot, std::uint64_t seed)
+    : m_world(std::move(world)), m_mounts(robot.sonars),
       m_random(seed, static_cast<std::uint32_t>(RandomStream::Sonar))
 {}
 
@@ -64,8 +63,8 @@ double SonarModel::nearest(const SonarMount &mount, const Eigen::Isometry3d &wMr
     const Eigen::Vector3d direction =
         wMr.linear() * Eigen::Vector3d(std::cos(angle) * std::cos(ray.up),
                                        std::sin(angle) * std::cos(ray.up), std::sin(ray.up));
-    const double range = m_collisions->range(origin.cast<float>(), direction.cast<float>(),
-                                             static_cast<float>(kRangeMax) + 1.0F);
+    const double range = m_world.range(origin.cast<float>(), direction.cast<float>(),
+                                       static_cast<float>(kRangeMax) + 1.0F);
     // The floor, met at a grazing angle, sends nothing back.
     if (origin.z() + range * direction.z() > kDriveableHeight) {
       shortest = std::min(shortest, range);

@@ -101,6 +101,23 @@ Twist2 WheeledBase::ramped(const Twist2 &wanted, double seconds) const
           ramp(m_velocity.w, wanted.w, turn, turn)};
 }
 
+void WheeledBase::meet(std::shared_ptr<const CollisionMap> map,
+                       std::shared_ptr<const CollisionMap> things)
+{
+  m_map = std::move(map);
+  m_things = std::move(things);
+}
+
+std::vector<Contact> WheeledBase::contactsAt(const Pose2 &wMr) const
+{
+  std::vector<Contact> contacts = m_map->contacts(wMr);
+  if (m_things) {
+    const std::vector<Contact> more = m_things->contacts(wMr);
+    contacts.insert(contacts.end(), more.begin(), more.end());
+  }
+  return contacts;
+}
+
 void WheeledBase::step(Time now, Duration step)
 {
   const double seconds = toSeconds(step);
@@ -117,7 +134,7 @@ void WheeledBase::step(Time now, Duration step)
   std::vector<Contact> contacts;
   if (real.v != 0.0 || real.w != 0.0) {
     const Pose2 next = m_pose * integrate(real, seconds);
-    contacts = m_map->contacts(next);
+    contacts = contactsAt(next);
     if (contacts.empty()) {
       m_pose = next;
       m_odometry = m_odometry * integrate(m_velocity, seconds);

@@ -24,7 +24,7 @@ struct ChangedScene
 {
   Scene scene;
   std::size_t people = 0;
-  std::size_t moved = 0; ///< models
+  std::vector<Eigen::AlignedBox3f> moved; ///< round each model that moved, where it is now
 };
 
 /**

@@ -5,6 +5,7 @@
 #include <homeward/evaluation/goal_drive.h>
 #include <homeward/evaluation/mission_truth.h>
 #include <homeward/evaluation/oracle_tour.h>
+#include <homeward/evaluation/restless_world.h>
 #include <homeward/mission/explorer.h>
 #include <homeward/mission/navigator.h>
 #include <homeward/run/run_mission.h>
@@ -32,7 +33,8 @@ struct MissionTrialOptions
   LightPreset lightNow = LightPreset::Day; ///< while it drives to goals
   std::size_t goals = 20;
   std::size_t kidnappings = 0;
-  int threads = 1; ///< that render; the result does not depend on it
+  std::optional<Restlessness> restlessness = {}; ///< of the worlds all the while; nothing: quiet
+  int threads = 1;                               ///< that render; the result does not depend on it
 };
 
 struct MissionTrial;

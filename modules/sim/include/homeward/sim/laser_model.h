@@ -5,9 +5,9 @@
 #include <homeward/core/random.h>
 #include <homeward/core/scan.h>
 #include <homeward/robot/robot_description.h>
-#include <homeward/sim/ray_caster.h>
+#include <homeward/sim/solid_world.h>
 
-#include <memory>
+#include <utility>
 #include <vector>
 
 namespace homeward
@@ -34,11 +34,13 @@ class LaserModel
 {
 public:
   /**
-   * @param collisions over Layer::Collision of the world
    * @throw LogicError unless 0 < step <= fieldOfView <= 2 pi, rangeMax > 0 and the rest >= 0
    */
-  LaserModel(std::shared_ptr<const RayCaster> collisions, const Eigen::Isometry3d &rMl,
-             const LaserOptions &options, std::uint64_t seed);
+  LaserModel(SolidWorld world, const Eigen::Isometry3d &rMl, const LaserOptions &options,
+             std::uint64_t seed);
+
+  /** From now on it looks at another world. */
+  void setWorld(SolidWorld world) { m_world = std::move(world); }
 
   /** One sweep from where the robot stands. */
   Scan measure(Time stamp, const Pose2 &wMr);
@@ -46,7 +48,7 @@ public:
 private:
   float read(double range);
 
-  std::shared_ptr<const RayCaster> m_collisions;
+  SolidWorld m_world;
   Eigen::Isometry3d m_rMl;
   LaserOptions m_options;
   std::vector<Eigen::Vector3d> m_rays; ///< directions in the laser's frame

@@ -41,6 +41,12 @@ public:
   MirrorRenderer &operator=(MirrorRenderer &&) noexcept;
 
   /**
+   * Things that are seen besides, instead of those put before.
+   * @param things their lights do not count; null: nothing
+   */
+  void put(std::shared_ptr<const Scene> things);
+
+  /**
    * One frame.
    * @param wMp the mirror's focus in the world
    * @param noise one draw is taken a frame; the frame's sensor noise follows from it

@@ -17,6 +17,7 @@
 #include <homeward/sim/wheeled_base.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -52,7 +53,7 @@ struct Truth
 /**
  * A robot in a world behind the interfaces of the real one.
  *
- * The world moves only in Clock::sleepUntil(), in steps of 20 ms, so the clock may end up to one
+ * Time passes only in Clock::sleepUntil(), in steps of 20 ms, so the clock may end up to one
  * step late. The same seed, options and calls give the same everything. A body that would touch the
  * world stands still instead (WheeledBase). Sensors answer for the instant they are asked at, and
  * the same when asked twice. A run into something counts once until the body has been free for 1 s
@@ -82,7 +83,8 @@ public:
 
   Truth truth() const;
 
-  /** Reachable from the start; lines of sight at the height of the mirror's focus. */
+  /** Of the world as it was first: reachable from the start; lines of sight at the height of the
+   * mirror's focus. */
   const FreeSpace &freeSpace() const;
 
   /**
@@ -90,6 +92,24 @@ public:
    * @throw ConfigError as the constructor does; the robot then stays where it was
    */
   void kidnap(const Pose2 &wMr);
+
+  /**
+   * The building becomes another, furniture moved for example: laser, sonar, body and camera meet
+   * that from now on. Everything else goes on, and freeSpace() stays that of the first.
+   * @throw ConfigError when the robot would stand in it; nothing has changed then
+   */
+  void change(const std::shared_ptr<const Scene> &scene);
+
+  /**
+   * Things stand in the world besides, people for example, instead of those put before. Quick: the
+   * building's search trees stay.
+   * @param things their lights do not count; null: nothing
+   * @throw ConfigError when the robot would stand in one; nothing has changed then
+   */
+  void put(const std::shared_ptr<const Scene> &things);
+
+  /** Called before each step of the world with its time; the place to change it from. */
+  std::function<void(Time)> onStep;
 
 private:
   class Impl;

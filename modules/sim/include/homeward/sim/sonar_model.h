@@ -5,9 +5,9 @@
 #include <homeward/core/random.h>
 #include <homeward/robot/mobile_base.h>
 #include <homeward/robot/robot_description.h>
-#include <homeward/sim/ray_caster.h>
+#include <homeward/sim/solid_world.h>
 
-#include <memory>
+#include <utility>
 #include <vector>
 
 namespace homeward
@@ -23,9 +23,10 @@ class SonarModel
 public:
   static constexpr double kRangeMax = 5.0; ///< metres
 
-  /** @param collisions over Layer::Collision of the world */
-  SonarModel(std::shared_ptr<const RayCaster> collisions, const RobotDescription &robot,
-             std::uint64_t seed);
+  SonarModel(SolidWorld world, const RobotDescription &robot, std::uint64_t seed);
+
+  /** From now on it hears another world. */
+  void setWorld(SolidWorld world) { m_world = std::move(world); }
 
   /** The echo of every transducer from where the robot stands. */
   std::vector<SonarEcho> measure(const Pose2 &wMr);
@@ -33,7 +34,7 @@ public:
 private:
   double nearest(const SonarMount &mount, const Eigen::Isometry3d &wMr) const;
 
-  std::shared_ptr<const RayCaster> m_collisions;
+  SolidWorld m_world;
   std::vector<SonarMount> m_mounts;
   Random m_random;
 };

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace homeward
 {
@@ -62,6 +63,12 @@ public:
   /** Sets the velocity to reach; clamped to the limits. @throw LogicError unless it is finite */
   void command(Time now, const Twist2 &twist);
 
+  /**
+   * From now on the body meets another world.
+   * @param things that come and go in it; null when there are none
+   */
+  void meet(std::shared_ptr<const CollisionMap> map, std::shared_ptr<const CollisionMap> things);
+
   /** Moves the world on from `now` by `step`. */
   void step(Time now, Duration step);
 
@@ -86,9 +93,11 @@ private:
     double next(double seconds, Random &random);
   };
 
+  std::vector<Contact> contactsAt(const Pose2 &wMr) const;
   Twist2 ramped(const Twist2 &wanted, double seconds) const;
 
   std::shared_ptr<const CollisionMap> m_map;
+  std::shared_ptr<const CollisionMap> m_things; ///< null when there are none
   Limits m_limits;
   Random m_random;
   Wander m_forwardSlip;

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../contract/test_room.h"
+#include "folder.h"
+#include "test_robot.h"
+
+#include <homeward/core/random.h>
+#include <homeward/evaluation/mission_trial.h>
+#include <homeward/evaluation/restless_world.h>
+#include <homeward/store/export.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace homeward
+{
+namespace
+{
+
+constexpr std::size_t kPeople = 4;
+
+/** A hall of 8 m x 6 m with a chair, and a robot that stands in the middle of one side. */
+class RestlessHall
+{
+public:
+  explicit RestlessHall(const Restlessness &restlessness, std::uint64_t seed = 1)
+      : m_simulator(m_scene, testRobot(), testCamera(), start()),
+        m_restless(m_simulator, m_scene, restlessness, seed)
+  {}
+
+  void wait(Duration time) { m_simulator.clock().sleepUntil(m_simulator.clock().now() + time); }
+
+  Simulator &simulator() { return m_simulator; }
+  const RestlessWorld &restless() const { return m_restless; }
+
+private:
+  static std::shared_ptr<const Scene> furnished()
+  {
+    Scene scene = makeRoom(8.0F, 6.0F);
+    addBox(scene, {5.0F, 3.0F, 0.0F}, {5.5F, 3.5F, 0.9F});
+    scene.visuals.back().model = scene.collisions.back().model = "chair";
+    return share(std::move(scene));
+  }
+
+  static SimulatorOptions start()
+  {
+    SimulatorOptions options;
+    options.start = Pose2{2.0, 3.0, 0.0};
+    return options;
+  }
+
+  std::shared_ptr<const Scene> m_scene = furnished();
+  Simulator m_simulator;
+  RestlessWorld m_restless;
+};
+
+TEST(RestlessWorld, peopleWalkNoFasterThanPeopleAndNotIntoTheRobot)
+{
+  RestlessHall hall({.people = kPeople});
+  const Eigen::Vector2d robot = hall.simulator().truth().pose.translation();
+  std::vector<Eigen::Vector2d> before = hall.restless().people();
+  ASSERT_EQ(before.size(), kPeople);
+  std::vector<double> walked(kPeople, 0.0);
+  double nearest = 100.0;
+  for (int second = 0; second < 120; ++second) {
+    hall.wait(std::chrono::seconds(1));
+    const std::vector<Eigen::Vector2d> now = hall.restless().people();
+    for (std::size_t i = 0; i < kPeople; ++i) {
+      const double way = (now[i] - before[i]).norm();
+      EXPECT_LT(way, 1.05);
+      EXPECT_TRUE(hall.simulator().freeSpace().free(now[i]));
+      walked[i] += way;
+      nearest = std::min(nearest, (now[i] - robot).norm());
+    }
+    before = now;
+  }
+  EXPECT_GT(*std::min_element(walked.begin(), walked.end()), 15.0);
+  EXPECT_GT(nearest, 0.6 + 0.36);
+  EXPECT_LT(nearest, 2.0) << "nobody came near";
+  EXPECT_EQ(hall.simulator().truth().collisions, 0);
+}
+
+TEST(RestlessWorld, robotSeesThemAndRunsIntoThem)
+{
+  RestlessHall hall({.people = kPeople, .moveFurniture = 0.0});
+  const auto scan = [&] { return hall.simulator().laser().scan()->ranges; };
+  const std::vector<float> first = scan();
+  hall.wait(std::chrono::seconds(4));
+  const std::vector<float> second = scan();
+  int changed = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    changed += std::abs(first[i] - second[i]) > 0.2F ? 1 : 0;
+  }
+  EXPECT_GT(changed, 5);
+}
+
+TEST(RestlessWorld, chairsAreMovedAndTheTruthStays)
+{
+  RestlessHall hall({.people = 0, .moveFurniture = 0.8, .calm = 10.0});
+  const double area = hall.simulator().freeSpace().area();
+  EXPECT_EQ(hall.restless().moves(), 0);
+  hall.wait(std::chrono::seconds(100));
+  EXPECT_GE(hall.restless().moves(), 7);
+  EXPECT_LE(hall.restless().moves(), 20);
+  EXPECT_EQ(hall.simulator().freeSpace().area(), area);
+}
+
+TEST(RestlessWorld, seedDecidesEverything)
+{
+  const auto places = [](std::uint64_t seed) {
+    RestlessHall hall({.people = kPeople, .calm = 10.0}, seed);
+    hall.wait(std::chrono::seconds(30));
+    return hall.restless().people();
+  };
+  EXPECT_EQ(places(3), places(3));
+  EXPECT_NE(places(3), places(4));
+}
+
+TEST(RestlessWorld, standsStillWhenItIsOver)
+{
+  Simulator simulator(share(makeRoom(8.0F, 6.0F)), testRobot(), testCamera());
+  {
+    const RestlessWorld restless(simulator, share(makeRoom(8.0F, 6.0F)), {.people = 1}, 1);
+    EXPECT_TRUE(simulator.onStep);
+  }
+  EXPECT_FALSE(simulator.onStep);
+  simulator.clock().sleepUntil(simulator.clock().now() + std::chrono::seconds(1));
+}
+
+// Walls hung with panels of many colours, a wall across with a gap of 2.5 m.
+//
+//   +-------------+
+//   |      |      |
+//   |      |      |
+//   |             |
+//   +-------------+
+Scene gallery()
+{
+  Random random(5, 1);
+  Scene scene = makeRoom(8.0F, 5.0F);
+  const auto colour = [&] {
+    return Eigen::Vector3f::NullaryExpr([&] { return static_cast<float>(random.uniform(0, 1)); });
+  };
+  const auto panel = [&](const Eigen::Vector2f &from, const Eigen::Vector2f &to) {
+    const auto low = static_cast<float>(random.uniform(0.3, 1.2));
+    const auto high = static_cast<float>(random.uniform(1.4, 2.4));
+    addBox(scene, {from.x(), from.y(), low}, {to.x(), to.y(), high}, colour());
+  };
+  for (int i = 0; i < 16; ++i) {
+    const float x = 0.5F * static_cast<float>(i);
+    panel({x + 0.05F, 0.0F}, {x + 0.4F, 0.02F});
+    panel({x + 0.05F, 4.98F}, {x + 0.4F, 5.0F});
+  }
+  for (int i = 0; i < 10; ++i) {
+    const float y = 0.5F * static_cast<float>(i);
+    panel({0.0F, y + 0.05F}, {0.02F, y + 0.4F});
+    panel({7.98F, y + 0.05F}, {8.0F, y + 0.4F});
+  }
+  addBox(scene, {4.0F, 2.5F, 0.0F}, {4.1F, 5.0F, 2.5F}, {0.6F, 0.4F, 0.2F});
+  return scene;
+}
+
+MissionTrial exploreAmongPeople(const std::string &map)
+{
+  MissionTrialOptions options{.robot = testRobot(), .robotFile = "", .camera = testCamera()};
+  options.exploring.directions.stoppingRange = options.explorer.forwardDistance;
+  options.exploring.directions.openRangeCap = options.explorer.forwardDistance + 0.6;
+  options.goals = 2;
+  options.restlessness = Restlessness{.people = 2};
+  const std::atomic<bool> stop = false;
+  const auto scene = share(gallery());
+  return runMissionTrial({"gallery", "", scene, 1, map}, options, stop).value();
+}
+
+TEST(RestlessWorld, buildingIsExploredAndDrivenThroughAmongPeople)
+{
+  const Folder folder;
+  const MissionTrial trial = exploreAmongPeople(folder / "first.hwm");
+  EXPECT_EQ(trial.outcome, Outcome::Done) << trial.reason;
+  EXPECT_EQ(trial.truth.coverage, 1.0);
+  EXPECT_EQ(trial.truth.falseEdges, 0);
+  EXPECT_EQ(trial.collisions, 0);
+  ASSERT_EQ(trial.goals.size(), 2U);
+  for (const GoalDrive &drive : trial.goals) {
+    EXPECT_TRUE(drive.arrived()) << drive.reason;
+    EXPECT_EQ(drive.collisions, 0);
+  }
+  const MissionTrial again = exploreAmongPeople(folder / "second.hwm");
+  EXPECT_EQ(again.seconds, trial.seconds);
+  EXPECT_EQ(again.distance, trial.distance);
+  EXPECT_EQ(exportCanonical(MapFile::open(folder / "first.hwm")),
+            exportCanonical(MapFile::open(folder / "second.hwm")));
+}
+
+} // namespace
+} // namespace homeward
