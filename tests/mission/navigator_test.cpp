@@ -103,6 +103,85 @@ TEST_F(NavigatorTest, MakesSureOfAPlaceOutOfNowhereButNotOfTheOneLeft)
   EXPECT_EQ(world.madeSureOf, std::vector<NodeId>{NodeId{0}});
 }
 
+TEST_F(NavigatorTest, TriesABarredLegOnceMoreWhereNoOtherWayLeadsOn)
+{
+  const Navigator navigator({});
+  auto step = navigator.start(map, NodeId{1}, NodeId{0});
+  step = navigator.next(step.state, map, world.execute(step.command));
+  world.barredHomings = 1;
+  step = navigator.next(step.state, map, world.execute(step.command));
+  EXPECT_EQ(step.state.phase, NavigatorState::Phase::Following);
+  step = navigator.next(step.state, map, world.execute(step.command));
+  EXPECT_EQ(std::get<Finish>(step.command).outcome, Outcome::Done);
+}
+
+TEST_F(NavigatorTest, SaysWhichLegIsBarredWhenNoOtherWayLeadsOn)
+{
+  world.barred = {{{0, 0}, {1, 0}}};
+  const Finish finish = navigate(NodeId{2});
+  EXPECT_EQ(finish.outcome, Outcome::Failed);
+  EXPECT_EQ(finish.reason, "unreachable: no way from node 0 to node 2; blocked: 0 - 1");
+  EXPECT_EQ(world.homedTo, (std::vector<NodeId>{NodeId{0}, NodeId{1}, NodeId{1}}));
+}
+
+//  0 - 1 - 2
+//   \  |
+//      3
+TEST_F(NavigatorTest, GoesAnotherWayAtOnceRoundABarredLeg)
+{
+  map.apply(EdgeAdded{{map.nextEdgeId(), NodeId{0}, NodeId{3}}});
+  world.barred = {{{0, 0}, {1, 0}}};
+  EXPECT_EQ(navigate(NodeId{2}).outcome, Outcome::Done);
+  EXPECT_EQ(world.homedTo, (std::vector<NodeId>{NodeId{0}, NodeId{1}, NodeId{0}, NodeId{3},
+                                                NodeId{1}, NodeId{2}}));
+}
+
+TEST_F(NavigatorTest, TakesALegForBarredThatItCannotEvenDrive)
+{
+  const Navigator navigator({});
+  auto step = navigator.start(map, NodeId{1}, NodeId{0});
+  step = navigator.next(step.state, map, world.execute(step.command));
+  step = navigator.next(step.state, map, Homed{HomingEnd::Lost, {}}); // the leg
+  step = navigator.next(step.state, map, world.execute(step.command));
+  step = navigator.next(step.state, map, world.execute(step.command));
+  ASSERT_EQ(step.state.phase, NavigatorState::Phase::Striding);
+  step = navigator.next(step.state, map, Driven{true, {0.3, 0.3, 0.0, 0.0}});
+  EXPECT_EQ(step.state.blocked, std::set<EdgeId>{EdgeId{0}});
+}
+
+TEST_F(NavigatorTest, TellsThePilotWhereTheMapHasThePlace)
+{
+  const Navigator navigator({});
+  auto step = navigator.start(map, NodeId{2}, NodeId{0});
+  step = navigator.next(step.state, map, world.execute(step.command));
+  const auto known = std::get<HomeTo>(step.command);
+  ASSERT_TRUE(known.way);
+  EXPECT_EQ(known.way->bearing, 0.0);
+  EXPECT_EQ(known.way->distance, 1.0);
+}
+
+TEST_F(NavigatorTest, GoesBackToTheNodeLeftRatherThanFindingOutWhereItIs)
+{
+  const Navigator navigator({});
+  auto step = navigator.start(map, NodeId{3}, NodeId{0});
+  EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
+  step = navigator.next(step.state, map, Homed{HomingEnd::Lost, {}});
+  EXPECT_TRUE(std::holds_alternative<Recognise>(step.command));
+}
+
+TEST_F(NavigatorTest, KnowsNothingOfWhereItIsWhenLost)
+{
+  world.homingFailures = 1000;
+  navigate(NodeId{2});
+  EXPECT_FALSE(last.here);
+}
+
+TEST_F(NavigatorTest, CallsPlacesAsPeopleDo)
+{
+  map.apply(NodeNamed{NodeId{3}, "kitchen"});
+  EXPECT_EQ(navigate(NodeId{3}).reason, "arrived at kitchen");
+}
+
 /** The robot was put down where no node is; some of the world is drawn above each test. */
 struct PutDownTest : NavigatorTest
 {
@@ -227,6 +306,7 @@ TEST_F(PutDownTest, SaysLostAfterManyLooks)
 TEST_F(NavigatorTest, RefusesAnUnknownGoal)
 {
   EXPECT_THROW(Navigator({}).start(map, NodeId{9}), LogicError);
+  EXPECT_THROW(Navigator({}).start(map, NodeId{0}, NodeId{9}), LogicError);
 }
 
 } // namespace

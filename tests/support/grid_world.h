@@ -54,12 +54,13 @@ public:
     }
   }
 
-  std::vector<Cell> nodes;        ///< cell of each node, by id
-  bool lookAlike = false;         ///< every place looks like every other
-  int homingFailures = 0;         ///< homings still to fail
-  bool shortSighted = false;      ///< homes only to the place where it stands
-  int barredHomings = 0;          ///< homings still to be blocked
-  int blockedDrives = 0;          ///< drives still to be blocked at once
+  std::vector<Cell> nodes;                   ///< cell of each node, by id
+  bool lookAlike = false;                    ///< every place looks like every other
+  int homingFailures = 0;                    ///< homings still to fail
+  bool shortSighted = false;                 ///< homes only to the place where it stands
+  int barredHomings = 0;                     ///< homings still to be blocked
+  std::vector<std::pair<Cell, Cell>> barred; ///< between these cells no homing gets through
+  int blockedDrives = 0;                     ///< drives still to be blocked at once
   double besideProbability = 0.0; ///< with which a node is recognised from the cells beside it
   std::optional<NodeId> impostor; ///< wherever no node is, it looks like this one
   std::vector<NodeId> homedTo;    ///< every homing asked for
@@ -129,8 +130,11 @@ private:
     if (command.node == impostor && target != m_robot) {
       return Homed{command.surely ? HomingEnd::Lost : HomingEnd::Arrived, chord()};
     }
-    if (barredHomings > 0) {
-      --barredHomings;
+    const bool noWay = std::any_of(barred.begin(), barred.end(), [&](const auto &cells) {
+      return cells == std::pair(m_robot, target) || cells == std::pair(target, m_robot);
+    });
+    if (noWay || barredHomings > 0) {
+      barredHomings = std::max(0, barredHomings - 1);
       return Homed{HomingEnd::Blocked, chord()};
     }
     if (homingFailures > 0 || (shortSighted && target != m_robot)) {

@@ -127,8 +127,8 @@ private:
   Time m_nextPicture;
   Time m_lastSeen;
   Time m_lastFree;
-  Time m_gotOn;              ///< when it last had moved on
-  Eigen::Vector2d m_gotOnAt; ///< and where, odometry frame
+  Time m_gotOn;                            ///< when it last had moved on
+  Eigen::Vector2d m_gotOnAt;               ///< and where, odometry frame
   std::optional<Eigen::Vector2d> m_oPlace; ///< as the map has it
   double m_startTravelled = 0.0;
   RangeScale m_scale;

@@ -30,7 +30,8 @@ class Navigation
 {
 public:
   /**
-   * Makes the places of the map known to the pilot, which outlives the navigation as the clock does.
+   * Makes the places of the map known to the pilot, which outlives the navigation as the clock
+   * does.
    */
   Navigation(const MapFile &file, Pilot &pilot, const Clock &clock);
 

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../contract/test_room.h"
+#include "folder.h"
+#include "test_paths.h"
+#include "test_robot.h"
+
+#include <homeward/run/navigation.h>
+#include <homeward/sim/simulator.h>
+
+#include <gmock/gmock.h>
+
+namespace homeward
+{
+namespace
+{
+
+/**
+ * Places in the laboratory, each in a straight line from each; a wall can bar one way or two.
+ *
+ *   0 .
+ *   |   .  wall
+ *   |     .
+ *   2 ----- 1
+ */
+const std::vector<Pose2> kPlaces{{-0.99, 3.18, 1.54}, {1.17, 1.25, 0.88}, {-0.93, 1.4, 2.07}};
+
+Scene laboratory()
+{
+  static const Scene kScene = loadScene(dataDir() / "worlds/lab.sdf");
+  return kScene;
+}
+
+/** With a wall along x = 0.1 m that ends 3.4 m from the x axis. */
+Scene walledFrom(float y)
+{
+  Scene scene = laboratory();
+  addBox(scene, {0.0F, y, 0.0F}, {0.2F, 3.4F, 1.2F}, {0.3F, 0.2F, 0.1F});
+  return scene;
+}
+
+/** A robot in that world, or in one that has changed since the map was made. */
+struct Robot
+{
+  explicit Robot(Scene scene, const Pose2 &start = kPlaces.front())
+      : simulator(share(std::move(scene)), robot, camera, at(start))
+  {}
+
+  static SimulatorOptions at(const Pose2 &start)
+  {
+    SimulatorOptions options;
+    options.start = start;
+    return options;
+  }
+
+  double distanceTo(const Pose2 &place) const
+  {
+    return (simulator.truth().pose.translation() - place.translation()).norm();
+  }
+
+  RobotDescription robot = testRobot();
+  MirrorCamera camera = testCamera();
+  Simulator simulator;
+  std::atomic<bool> stop = false;
+  Pilot pilot{{simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
+              robot,
+              camera,
+              PilotOptions(),
+              stop};
+};
+
+Panorama viewFrom(const Pose2 &place)
+{
+  Robot robot(laboratory(), place);
+  robot.pilot.execute(Survey{});
+  return robot.pilot.view();
+}
+
+class NavigationTest : public testing::Test
+{
+protected:
+  NavigationTest()
+  {
+    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+      const NodeId node{static_cast<std::int64_t>(i)};
+      MapUpdate update;
+      update.changes = {NodeAdded{{node}}};
+      update.view = NewView{node, encodeView(viewFrom(kPlaces[i]))};
+      file.append(update);
+    }
+    for (const auto &[from, to] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)}) {
+      const auto bearing = [](const Pose2 &here, const Pose2 &there) {
+        const Pose2 way = here.inverse() * there;
+        return std::atan2(way.y, way.x);
+      };
+      const Pose2 &a = kPlaces[static_cast<std::size_t>(from)];
+      const Pose2 &b = kPlaces[static_cast<std::size_t>(to)];
+      file.append(
+          {.changes = {EdgeAdded{{file.map().nextEdgeId(), NodeId{from}, NodeId{to}, bearing(a, b),
+                                  bearing(b, a), (a.translation() - b.translation()).norm()}}}});
+    }
+  }
+
+  Folder folder;
+  MapFile file = MapFile::create(folder / "map.hwm", {"", PilotOptions().panorama, "sad", 1, {}});
+};
+
+TEST_F(NavigationTest, drivesFromGoalToGoalWithoutHavingToFindOutWhereItIs)
+{
+  Robot robot(laboratory());
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  int looks = 0;
+  navigation.onStep = [&](const Step<NavigatorState> &step) {
+    looks += std::holds_alternative<Recognise>(step.command) ? 1 : 0;
+  };
+  for (const NodeId goal : {NodeId{1}, NodeId{2}, NodeId{0}}) {
+    const GoalReport report = navigation.driveTo(goal, 300.0);
+    EXPECT_EQ(report.outcome, Outcome::Done) << report.reason;
+    EXPECT_THAT(report.path, testing::Contains(goal));
+    EXPECT_LT(robot.distanceTo(kPlaces[static_cast<std::size_t>(goal.value)]), 0.1);
+  }
+  EXPECT_EQ(looks, 1);
+  EXPECT_EQ(robot.simulator.truth().collisions, 0);
+}
+
+TEST_F(NavigationTest, takesAnotherWayWhenOneIsBarred)
+{
+  Robot robot(walledFrom(1.8F));
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  double tried = 0.0;
+  double turnedBack = 0.0;
+  navigation.onStep = [&](const Step<NavigatorState> &step) {
+    const double now = toSeconds(robot.simulator.clock().now());
+    if (step.state.blocked.empty()) {
+      tried = now;
+    }
+    else if (turnedBack == 0.0) {
+      turnedBack = now;
+    }
+  };
+  const GoalReport report = navigation.driveTo(NodeId{1}, 300.0);
+  EXPECT_EQ(report.outcome, Outcome::Done) << report.reason;
+  EXPECT_THAT(report.path, testing::ElementsAre(NodeId{0}, NodeId{0}, NodeId{2}, NodeId{1}));
+  EXPECT_LT(robot.distanceTo(kPlaces[1]), 0.1);
+  EXPECT_LT(turnedBack - tried, 60.0);
+  EXPECT_EQ(robot.simulator.truth().collisions, 0);
+}
+
+TEST_F(NavigationTest, saysUnreachableWhenBothWaysAreBarredAndGoesOnToTheNextGoal)
+{
+  Robot robot(walledFrom(0.3F));
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  const GoalReport report = navigation.driveTo(NodeId{1}, 300.0);
+  EXPECT_EQ(report.outcome, Outcome::Failed);
+  EXPECT_EQ(report.reason, "unreachable: no way from node 2 to node 1; blocked: 0 - 1, 1 - 2");
+  EXPECT_LT(report.seconds, 120.0); // two ways, and one of them twice
+  EXPECT_EQ(navigation.driveTo(NodeId{0}, 300.0).outcome, Outcome::Done);
+  EXPECT_LT(robot.distanceTo(kPlaces[0]), 0.1);
+  EXPECT_EQ(robot.simulator.truth().collisions, 0);
+}
+
+TEST_F(NavigationTest, drivesToWhereAPictureWasTakenNearANode)
+{
+  const Pose2 taken{-0.7, 1.6, -2.0};
+  Robot robot(laboratory());
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  const std::optional<PlaceMatch> shown = navigation.addPicture("photo.jpg", viewFrom(taken));
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->node, NodeId{2});
+  EXPECT_GE(shown->probability, 0.9);
+  const std::optional<NodeId> goal = navigation.map().find("photo.jpg");
+  ASSERT_TRUE(goal);
+  const GoalReport report = navigation.driveTo(*goal, 300.0);
+  EXPECT_EQ(report.reason, "arrived at photo.jpg");
+  EXPECT_LT(robot.distanceTo(taken), 0.1);
+  EXPECT_NEAR(wrapAngle(robot.simulator.truth().pose.heading - taken.heading), 0.0, radians(2.0));
+  EXPECT_FALSE(file.map().find("photo.jpg"));
+}
+
+TEST_F(NavigationTest, makesNoGoalOfAPictureThatShowsNoKnownPlace)
+{
+  Robot robot(laboratory());
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  EXPECT_FALSE(navigation.addPicture("photo.jpg", viewFrom({7.5, -2.7, 1.0})));
+  EXPECT_EQ(navigation.map(), file.map());
+}
+
+TEST_F(NavigationTest, givesAGoalUpWhenItsTimeIsOver)
+{
+  Robot robot(laboratory());
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  const GoalReport report = navigation.driveTo(NodeId{2}, 3.0);
+  EXPECT_EQ(report.outcome, Outcome::Failed);
+  EXPECT_EQ(report.reason, "not there after 3 s");
+  EXPECT_EQ(navigation.driveTo(NodeId{2}, 300.0).outcome, Outcome::Done);
+}
+
+TEST_F(NavigationTest, aStopEndsADrive)
+{
+  Robot robot(laboratory());
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  robot.stop = true;
+  EXPECT_EQ(navigation.driveTo(NodeId{2}, 300.0).outcome, Outcome::Stopped);
+}
+
+} // namespace
+} // namespace homeward
