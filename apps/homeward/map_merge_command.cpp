@@ -41,7 +41,7 @@ void merge(const MergeArguments &arguments)
   nlohmann::json nodes = nlohmann::json::array();
   for (const auto &[old, now] : became) {
     const auto pair = std::find_if(pairs.begin(), pairs.end(),
-                                   [&](const PlacePair &one) { return one.b == old; });
+                                   [id = old](const PlacePair &one) { return one.b == id; });
     nodes.push_back({{"of_b", old.value}, {"node", now.value}});
     if (pair == pairs.end()) {
       std::printf("node %lld of %s is new: %lld\n", static_cast<long long>(old.value),
