@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/mission/explorer.h>
 
+#include "explorer_commands.h"
+#include "explorer_whereabouts.h"
 #include "mission_words.h"
 
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
-#include <homeward/topology/planner.h>
-#include <homeward/topology/reckoning.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +23,14 @@ class Stepper
 {
 public:
   Stepper(const ExplorerOptions &options, const ExplorerState &state, const TopologicalMap &map)
-      : m_options(options), m_map(map), m_step{state, Finish{}, {}, {}}
+      : m_options(options), m_map(map), m_step{state, Finish{}, {}, {}},
+        m_whereabouts(options, m_map, m_step.state), m_commands(options, m_map, m_step.state)
   {
     ++m_step.state.steps;
   }
+
+  Stepper(const Stepper &) = delete;
+  Stepper &operator=(const Stepper &) = delete;
 
   Step<ExplorerState> take() { return std::move(m_step); }
 
@@ -82,10 +86,10 @@ public:
 
   void classified(const Recognised &report)
   {
-    const PlaceMatch *known = placeHere(report.matches, false);
+    const PlaceMatch *known = m_whereabouts.placeHere(report.matches, false);
     const bool unsure = known == nullptr;
     if (unsure) {
-      known = placeHere(report.matches, true);
+      known = m_whereabouts.placeHere(report.matches, true);
     }
     if (known == nullptr) {
       survey();
@@ -115,7 +119,7 @@ public:
       state.vain[target] += report.end == HomingEnd::Lost ? kLooksAlike : 1;
       ask(Phase::Classifying, Recognise{});
     }
-    else if (!state.origin || isWay(report.chord)) {
+    else if (!state.origin || m_whereabouts.isWay(report.chord)) {
       survey();
     }
     else {
@@ -173,10 +177,11 @@ public:
     ExplorerState &state = m_step.state;
     std::vector<PlaceMatch> matches = report.matches;
     std::erase_if(matches, [this](const PlaceMatch &match) {
-      return !plausible(match.node, m_options.nearPlace);
+      return !m_whereabouts.plausible(match.node, m_options.nearPlace);
     });
     if (state.stranded > 0) {
-      std::erase_if(matches, [this](const PlaceMatch &match) { return !pathToOpen(match.node); });
+      std::erase_if(matches,
+                    [this](const PlaceMatch &match) { return !m_commands.pathToOpen(match.node); });
     }
     const std::optional<NodeId> place = likeliestPlace(notInVain(matches, state.vain, 1));
     const bool tried = state.retries++ > 1;
@@ -186,7 +191,7 @@ public:
     else if (state.stranded > 0) {
       plan(*state.origin);
     }
-    else if (const auto back = state.retreated ? std::nullopt : retreat()) {
+    else if (const auto back = state.retreated ? std::nullopt : m_commands.retreat()) {
       state.retreated = true;
       ask(Phase::Retreating, *back);
     }
@@ -217,35 +222,6 @@ public:
     }
   }
 
-  /** The command that the state waits for an answer to. */
-  Command pending() const
-  {
-    const ExplorerState &state = m_step.state;
-    switch (state.phase) {
-    case Phase::Surveying:
-      return Survey{};
-    case Phase::Driving:
-      return drive(directionDriven());
-    case Phase::Classifying:
-    case Phase::Relocating:
-      return Recognise{};
-    case Phase::Homing:
-    case Phase::Returning:
-      return homeTo(std::nullopt);
-    case Phase::Following:
-      return homeTo(state.strode
-                        ? std::nullopt
-                        : m_map.departureBearing(named(state.origin), named(state.target)));
-    case Phase::Striding:
-      return named(stride());
-    case Phase::Retreating:
-      return named(retreat());
-    case Phase::Finished:
-      break;
-    }
-    return ending();
-  }
-
   void interrupt()
   {
     --m_step.state.steps;
@@ -254,12 +230,6 @@ public:
 
 private:
   static constexpr int kLooksAlike = 2; ///< homings in vain that one that ended "lost" counts as
-
-  struct Offset
-  {
-    double distance = 0.0; ///< metres
-    double error = 0.0;    ///< of it by the ways, metres, one sigma
-  };
 
   void ask(Phase phase, const Command &command)
   {
@@ -276,86 +246,12 @@ private:
     state.phase = phase;
     state.target = node;
     state.surely = surely;
-    m_step.command = homeTo(departure);
-  }
-
-  /** Where places far round are alike, only sight tells that it is the one. */
-  HomeTo homeTo(std::optional<double> departure) const
-  {
-    const ExplorerState &state = m_step.state;
-    const NodeId node = named(state.target);
-    const auto off = state.phase == Phase::Following ? std::optional(Offset{}) : offset(node);
-    const bool far = !off || off->error > m_options.surelyBeyond;
-    return {node, departure, false, state.surely || far};
-  }
-
-  /** To the place left by odometry, which is good enough over a few metres. */
-  std::optional<DriveDirection> retreat() const
-  {
-    const ExplorerState &state = m_step.state;
-    if (!m_options.retreats || !state.origin || state.chord.distance > m_options.longestEdge()) {
-      return std::nullopt;
-    }
-    return DriveDirection{wrapAngle(state.chord.bearingAtOrigin + kPi), state.chord.distance};
-  }
-
-  /** The next leg by its bearing and length, when it has failed and the map knows both. */
-  std::optional<DriveDirection> stride() const
-  {
-    const ExplorerState &state = m_step.state;
-    if (!m_options.strides || state.route.empty()) {
-      return std::nullopt;
-    }
-    const NodeId origin = named(state.origin);
-    const std::optional<double> departure = m_map.departureBearing(origin, state.route.front());
-    const std::optional<Edge> edge = m_map.edgeBetween(origin, state.route.front());
-    if (!departure || !edge->length || !state.failures.contains(edge->id)) {
-      return std::nullopt;
-    }
-    return DriveDirection{*departure, *edge->length};
-  }
-
-  DriveDirection drive(const Direction &direction) const
-  {
-    return {direction.bearing, m_options.forwardDistance};
-  }
-
-  const Direction &directionDriven() const
-  {
-    const std::vector<Direction> &directions = m_map.node(named(m_step.state.origin)).directions;
-    const DirectionId wanted = named(m_step.state.direction);
-    const auto found = std::find_if(directions.begin(), directions.end(),
-                                    [&](const Direction &each) { return each.id == wanted; });
-    if (found == directions.end()) {
-      throw LogicError("the exploration drives direction " + std::to_string(wanted.value) +
-                       " of a node that has none such");
-    }
-    return *found;
-  }
-
-  /** What the phase cannot be without. */
-  template <class Id> static Id named(const std::optional<Id> &id)
-  {
-    if (!id) {
-      throw LogicError("the exploration's state lacks what its phase needs");
-    }
-    return *id;
-  }
-
-  bool tooManyNodes() const { return static_cast<int>(m_map.nodes().size()) > m_options.maxNodes; }
-
-  Finish ending() const
-  {
-    if (tooManyNodes()) {
-      return {Outcome::Failed, "the map has grown beyond " + std::to_string(m_options.maxNodes) +
-                                   " nodes; places are not recognised again"};
-    }
-    return {Outcome::Done, "no reachable node has an open direction"};
+    m_step.command = m_commands.homeTo(departure);
   }
 
   void end()
   {
-    const Finish finish = ending();
+    const Finish finish = m_commands.ending();
     ask(Phase::Finished, finish);
     if (finish.outcome == Outcome::Done) {
       m_step.log.push_back("EXPLORATION DONE - -");
@@ -406,80 +302,6 @@ private:
     }
   }
 
-  bool tooOftenInVain(NodeId node) const
-  {
-    const auto count = m_step.state.vain.find(node);
-    return count != m_step.state.vain.end() && count->second > 1;
-  }
-
-  /** Whether what was driven is short enough to stand for a way. */
-  bool isWay(const Chord &chord) const
-  {
-    const bool near =
-        chord.distance <= m_options.nearEdge() && chord.travelled <= m_options.longestDetour();
-    return chord.travelled <= m_options.longestEdge() || near;
-  }
-
-  /** How far the node lies from where the robot stands, by the ways driven. */
-  std::optional<Offset> offset(NodeId node) const
-  {
-    const ExplorerState &state = m_step.state;
-    const auto there =
-        state.origin ? reckon(m_map, *state.origin, node) : std::optional<Reckoned>{};
-    if (!there) {
-      return std::nullopt;
-    }
-    const Chord &chord = state.chord;
-    const Eigen::Vector2d here(chord.distance * std::cos(chord.bearingAtOrigin),
-                               chord.distance * std::sin(chord.bearingAtOrigin));
-    return Offset{(there->fromMto.translation() - here).norm(),
-                  m_options.reckoningError * there->length};
-  }
-
-  /** Whether the node can stand within `reach` metres of the robot. */
-  bool plausible(NodeId node, double reach) const
-  {
-    const auto off = offset(node);
-    return !off || off->distance <= reach + 2.0 * off->error;
-  }
-
-  /** Logarithm of the odds that the robot is at the place, by sight and by the ways driven. */
-  double logOdds(const PlaceMatch &match) const
-  {
-    constexpr double kSurest = 0.99; // views are not surer, however alike
-    const double probability = std::min(match.probability, kSurest);
-    const double sight = std::log(probability / (1.0 - probability));
-    const auto off = offset(match.node);
-    const double sigmas = off ? off->distance / (m_options.placeSigma + off->error) : 0.0;
-    return sight - 0.5 * sigmas * sigmas;
-  }
-
-  /** Whether the node stands right here by ways that are short enough to tell. */
-  bool standsHere(NodeId node) const
-  {
-    const auto off = offset(node);
-    return off && off->error <= m_options.surelyBeyond && off->distance <= m_options.rightHere;
-  }
-
-  /**
-   * The known place that the robot most probably is at; nullptr if that is not likely enough.
-   * @param near only those but the origin that stand right here by the ways; sight may doubt them
-   */
-  const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches, bool near) const
-  {
-    const PlaceMatch *best = nullptr;
-    double highest = near ? m_options.leastNear : m_options.leastLogOdds;
-    for (const PlaceMatch &match : matches) {
-      const double odds = logOdds(match);
-      if (odds > highest && !tooOftenInVain(match.node) &&
-          (!near || (match.node != m_step.state.origin && standsHere(match.node)))) {
-        highest = odds;
-        best = &match;
-      }
-    }
-    return best;
-  }
-
   /** Records the way from the node left to `node`, where the robot now stands. */
   void connect(NodeId node, const Chord &chord)
   {
@@ -488,7 +310,7 @@ private:
       return;
     }
     const NodeId origin = *state.origin;
-    if (!isWay(chord)) {
+    if (!m_whereabouts.isWay(chord)) {
       giveUp();
       return;
     }
@@ -512,7 +334,7 @@ private:
     state.route.clear();
     state.retries = 0;
     state.retreated = false;
-    if (tooManyNodes()) {
+    if (m_commands.tooManyNodes()) {
       end();
       return;
     }
@@ -523,25 +345,17 @@ private:
         if (!again) {
           state.vain.clear();
         }
-        ask(Phase::Driving, drive(direction));
+        ask(Phase::Driving, m_commands.drive(direction));
         return;
       }
     }
     plan(node);
   }
 
-  std::optional<std::vector<NodeId>> pathToOpen(NodeId node) const
-  {
-    return overSoundEdges(m_step.state.failures, m_options.legTries * (1 + m_step.state.stranded),
-                          [&](const std::set<EdgeId> &blocked) {
-                            return pathToNearestOpen(m_map, node, blocked, m_options.cost);
-                          });
-  }
-
   void plan(NodeId node)
   {
     ExplorerState &state = m_step.state;
-    const auto path = pathToOpen(node);
+    const auto path = m_commands.pathToOpen(node);
     if (!path) {
       if (m_map.openDirectionCount() > 0 && state.stranded < m_options.rescueTries) {
         ++state.stranded;
@@ -581,7 +395,7 @@ private:
     const std::vector<Direction> directions = m_map.node(node).directions;
     for (const Direction &direction : directions) {
       const auto known = direction.state == DirectionState::Open
-                             ? nodeWhere(node, direction.bearing)
+                             ? m_whereabouts.nodeWhere(node, direction.bearing)
                              : std::nullopt;
       if (known) {
         change(DirectionSettled{node, direction.id, DirectionState::Closed,
@@ -590,26 +404,11 @@ private:
     }
   }
 
-  /** The node where a drive from `node` would end, by ways short enough to be sure of it. */
-  std::optional<NodeId> nodeWhere(NodeId node, double bearing) const
-  {
-    const Eigen::Vector2d end =
-        m_options.forwardDistance * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
-    for (const auto &[other, unused] : m_map.nodes()) {
-      const auto there = other == node ? std::nullopt : reckon(m_map, node, other);
-      if (there && m_options.reckoningError * there->length < m_options.surelyBeyond &&
-          (there->fromMto.translation() - end).norm() < m_options.closeNear) {
-        return other;
-      }
-    }
-    return std::nullopt;
-  }
-
   void followRoute()
   {
     ExplorerState &state = m_step.state;
     state.strode = false;
-    if (const auto drive = stride()) {
+    if (const auto drive = m_commands.stride()) {
       ask(Phase::Striding, *drive);
       return;
     }
@@ -620,6 +419,8 @@ private:
   const ExplorerOptions &m_options;
   TopologicalMap m_map;
   Step<ExplorerState> m_step;
+  ExplorerWhereabouts m_whereabouts; ///< by this map and state
+  ExplorerCommands m_commands;       ///< likewise
 };
 
 } // namespace
@@ -646,7 +447,7 @@ Step<ExplorerState> Explorer::resume(const State &state, const TopologicalMap &m
 
 Command Explorer::pending(const State &state, const TopologicalMap &map) const
 {
-  return Stepper(m_options, state, map).pending();
+  return ExplorerCommands(m_options, map, state).pending();
 }
 
 Step<ExplorerState> Explorer::next(const State &state, const TopologicalMap &map,

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "explorer_whereabouts.h"
+
+#include <homeward/topology/reckoning.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace homeward
+{
+
+bool ExplorerWhereabouts::isWay(const Chord &chord) const
+{
+  const bool near =
+      chord.distance <= m_options.nearEdge() && chord.travelled <= m_options.longestDetour();
+  return chord.travelled <= m_options.longestEdge() || near;
+}
+
+std::optional<ExplorerWhereabouts::Offset> ExplorerWhereabouts::offset(NodeId node) const
+{
+  const auto there =
+      m_state.origin ? reckon(m_map, *m_state.origin, node) : std::optional<Reckoned>{};
+  if (!there) {
+    return std::nullopt;
+  }
+  const Chord &chord = m_state.chord;
+  const Eigen::Vector2d here(chord.distance * std::cos(chord.bearingAtOrigin),
+                             chord.distance * std::sin(chord.bearingAtOrigin));
+  return Offset{(there->fromMto.translation() - here).norm(),
+                m_options.reckoningError * there->length};
+}
+
+bool ExplorerWhereabouts::plausible(NodeId node, double reach) const
+{
+  const auto off = offset(node);
+  return !off || off->distance <= reach + 2.0 * off->error;
+}
+
+/** Logarithm of the odds that the robot is at the place, by sight and by the ways driven. */
+double ExplorerWhereabouts::logOdds(const PlaceMatch &match) const
+{
+  constexpr double kSurest = 0.99; // views are not surer, however alike
+  const double probability = std::min(match.probability, kSurest);
+  const double sight = std::log(probability / (1.0 - probability));
+  const auto off = offset(match.node);
+  const double sigmas = off ? off->distance / (m_options.placeSigma + off->error) : 0.0;
+  return sight - 0.5 * sigmas * sigmas;
+}
+
+/** Whether the node stands right here by ways that are short enough to tell. */
+bool ExplorerWhereabouts::standsHere(NodeId node) const
+{
+  const auto off = offset(node);
+  return off && off->error <= m_options.surelyBeyond && off->distance <= m_options.rightHere;
+}
+
+const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &matches,
+                                                 bool near) const
+{
+  const PlaceMatch *best = nullptr;
+  double highest = near ? m_options.leastNear : m_options.leastLogOdds;
+  for (const PlaceMatch &match : matches) {
+    const double odds = logOdds(match);
+    if (odds > highest && !tooOftenInVain(match.node) &&
+        (!near || (match.node != m_state.origin && standsHere(match.node)))) {
+      highest = odds;
+      best = &match;
+    }
+  }
+  return best;
+}
+
+bool ExplorerWhereabouts::tooOftenInVain(NodeId node) const
+{
+  const auto count = m_state.vain.find(node);
+  return count != m_state.vain.end() && count->second > 1;
+}
+
+std::optional<NodeId> ExplorerWhereabouts::nodeWhere(NodeId node, double bearing) const
+{
+  const Eigen::Vector2d end =
+      m_options.forwardDistance * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+  for (const auto &[other, unused] : m_map.nodes()) {
+    const auto there = other == node ? std::nullopt : reckon(m_map, node, other);
+    if (there && m_options.reckoningError * there->length < m_options.surelyBeyond &&
+        (there->fromMto.translation() - end).norm() < m_options.closeNear) {
+      return other;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace homeward
