@@ -142,6 +142,16 @@ void print(const Visit &visit)
   std::fflush(stdout);
 }
 
+void sayWhatPicturesShow(const std::vector<NavigationGoal> &goals)
+{
+  for (const NavigationGoal &goal : goals) {
+    if (goal.shown) {
+      std::printf("%s shows node %lld, probability %.2f\n", goal.word.c_str(),
+                  static_cast<long long>(goal.shown->node.value), goal.shown->probability);
+    }
+  }
+}
+
 /** Drives to the goals in turn, over and over, until somebody stops it. */
 Visits visitInTurn(const NavigateArguments &arguments, const std::vector<NavigationGoal> &goals,
                    Navigation &navigation, const MissionRobot &robot,
@@ -181,6 +191,33 @@ Finish conclude(const Visits &visits, bool patrol)
               " goals reached"};
 }
 
+nlohmann::json summary(const Visits &visits, const Finish &finish, const TopologicalMap &map,
+                       const MissionRobot &robot)
+{
+  nlohmann::json json = jsonHeader("navigate");
+  json["seed"] = robot.world().value_or(SimulatedWorld{}).seed;
+  json["outcome"] = name(finish.outcome);
+  json["reason"] = finish.reason;
+  json["path"] = nlohmann::json::array();
+  json["goals"] = nlohmann::json::array();
+  for (const Visit &visit : visits.kept) {
+    const nlohmann::json goal = visitJson(visit, map);
+    json["path"].insert(json["path"].end(), goal["path"].begin(), goal["path"].end());
+    json["goals"].push_back(goal);
+  }
+  json["goals_tried"] = visits.tried;
+  json["goals_reached"] = visits.reached;
+  const Visit &last = visits.kept.back();
+  if (last.place && last.robot) {
+    json["truth"] = truthJson(last);
+  }
+  if (const std::optional<Truth> truth = robot.truth()) {
+    json["collisions"] = truth->collisions;
+    json["unseen_contacts"] = truth->unseenContacts;
+  }
+  return json;
+}
+
 int navigate(const NavigateArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -216,12 +253,7 @@ int navigate(const NavigateArguments &arguments)
   };
   const std::vector<NavigationGoal> goals =
       findGoals(words, navigation, robot->files().camera, file.header().panorama);
-  for (const NavigationGoal &goal : goals) {
-    if (goal.shown) {
-      std::printf("%s shows node %lld, probability %.2f\n", goal.word.c_str(),
-                  static_cast<long long>(goal.shown->node.value), goal.shown->probability);
-    }
-  }
+  sayWhatPicturesShow(goals);
   const Visits visits = visitInTurn(arguments, goals, navigation, *robot, log);
   const bool patrol = goals.size() > 1 || arguments.repeat != 1;
   const Finish finish = conclude(visits, patrol);
@@ -229,28 +261,8 @@ int navigate(const NavigateArguments &arguments)
     std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
                 seconds());
   }
-  nlohmann::json json = jsonHeader("navigate");
-  json["seed"] = robot->world().value_or(SimulatedWorld{}).seed;
-  json["outcome"] = name(finish.outcome);
-  json["reason"] = finish.reason;
+  nlohmann::json json = summary(visits, finish, file.map(), *robot);
   json["sim_time_s"] = seconds();
-  json["path"] = nlohmann::json::array();
-  json["goals"] = nlohmann::json::array();
-  for (const Visit &visit : visits.kept) {
-    const nlohmann::json goal = visitJson(visit, file.map());
-    json["path"].insert(json["path"].end(), goal["path"].begin(), goal["path"].end());
-    json["goals"].push_back(goal);
-  }
-  json["goals_tried"] = visits.tried;
-  json["goals_reached"] = visits.reached;
-  const Visit &last = visits.kept.back();
-  if (last.place && last.robot) {
-    json["truth"] = truthJson(last);
-  }
-  if (const std::optional<Truth> truth = robot->truth()) {
-    json["collisions"] = truth->collisions;
-    json["unseen_contacts"] = truth->unseenContacts;
-  }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = wall.count();
   writeJson(arguments.json, json);
