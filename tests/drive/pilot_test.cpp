@@ -380,6 +380,19 @@ TEST_F(PilotTest, HomesOrStandsWhenTheCameraIsDamaged)
   }
 }
 
+TEST_F(PilotTest, SaysHowFarItSeesPastWhatBlocksADrive)
+{
+  const Surveyed surveyed = makeNode(NodeId{0});
+  const auto free = ask<Driven>(DriveDirection{surveyed.directions[0].bearing, 0.5});
+  EXPECT_FALSE(free.blocked);
+  EXPECT_TRUE(std::isinf(free.seenAhead));
+  ask<Homed>(HomeTo{NodeId{0}, std::nullopt});
+  const auto wall = ask<Driven>(DriveDirection{surveyed.directions[0].bearing, 20.0});
+  EXPECT_TRUE(wall.blocked);
+  EXPECT_GT(wall.seenAhead, 0.2);
+  EXPECT_LT(wall.seenAhead, 1.2);
+}
+
 TEST_F(PilotTest, AStopInterruptsADrive)
 {
   makeNode(NodeId{0});

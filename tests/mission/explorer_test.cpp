@@ -255,22 +255,46 @@ TEST(Explorer, ComesBackFromADriveThatNoEdgeCanStandForAndGivesUpTheSecondTime)
   EXPECT_EQ(std::get<DirectionSettled>(step.changes[0]).reason, "given up after 2 drives");
 }
 
+/** One place with one open direction, along which the robot is to drive. */
+struct AtTheFirstPlace
+{
+  TopologicalMap map;
+  Step<ExplorerState> step;
+
+  explicit AtTheFirstPlace(const Explorer &explorer) : step(explorer.start(map))
+  {
+    step = explorer.next(step.state, map, Surveyed{{{0.0, 1.0, 3.0}}, {}});
+    for (const MapChange &change : step.changes) {
+      map.apply(change);
+    }
+  }
+};
+
 TEST(Explorer, BlockedAtOnceClosesTheDirection)
 {
   const Explorer explorer(oneMetre());
-  TopologicalMap map;
-  auto step = explorer.start(map);
-  step = explorer.next(step.state, map, Surveyed{{{0.0, 1.0, 3.0}}, {}});
-  for (const MapChange &change : step.changes) {
-    map.apply(change);
-  }
-  ASSERT_TRUE(std::holds_alternative<DriveDirection>(step.command));
-  step = explorer.next(step.state, map, Driven{true, {0.2, 0.2, 0.0, kPi}});
+  AtTheFirstPlace at(explorer);
+  ASSERT_TRUE(std::holds_alternative<DriveDirection>(at.step.command));
+  const auto step = explorer.next(at.step.state, at.map, Driven{true, {0.2, 0.2, 0.0, kPi}, 1.8});
   ASSERT_EQ(step.changes.size(), 1U);
   const auto &settled = std::get<DirectionSettled>(step.changes[0]);
   EXPECT_EQ(settled.state, DirectionState::Closed);
-  EXPECT_EQ(settled.reason, "blocked");
+  EXPECT_EQ(settled.reason, "too narrow");
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{0});
+}
+
+TEST(Explorer, TriesADirectionAgainThatSomebodyStandsIn)
+{
+  const Explorer explorer(oneMetre());
+  AtTheFirstPlace at(explorer);
+  const Driven somebody{true, {0.1, 0.1, 0.0, kPi}, 0.5};
+  auto step = explorer.next(at.step.state, at.map, somebody);
+  EXPECT_TRUE(step.changes.empty());
+  step = explorer.next(step.state, at.map, Homed{HomingEnd::Arrived, {}});
+  ASSERT_TRUE(std::holds_alternative<DriveDirection>(step.command));
+  step = explorer.next(step.state, at.map, somebody);
+  ASSERT_EQ(step.changes.size(), 1U);
+  EXPECT_EQ(std::get<DirectionSettled>(step.changes[0]).reason, "given up after 2 drives");
 }
 
 TEST(Explorer, TriesTheOnlyWayAgainThoughItFailed)

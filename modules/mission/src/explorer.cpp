@@ -76,7 +76,12 @@ public:
   {
     m_step.state.chord = report.chord;
     if (report.blocked && report.chord.distance < m_options.shortestDrive) {
-      settle(DirectionState::Closed, "blocked");
+      if (report.chord.distance + report.seenAhead < m_options.newcomer()) {
+        giveUp();
+      }
+      else {
+        settle(DirectionState::Closed, "too narrow");
+      }
       m_step.state.direction.reset();
       home(Phase::Homing, *m_step.state.origin, std::nullopt);
       return;

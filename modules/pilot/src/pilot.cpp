@@ -29,6 +29,22 @@ double farFrom(double distance)
   return 0.5 + 0.25 * distance;
 }
 
+/** How far a scan reaches in a direction or close beside it, metres; radians from the robot's
+ * front.
+ */
+double reachOf(const Scan &scan, const Eigen::Isometry3d &rMl, double bearing)
+{
+  constexpr double kBeside = radians(3.0);
+  const Scan seen = joinScans({{scan, Pose2{}}}, rMl);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < seen.ranges.size(); ++i) {
+    if (std::abs(wrapAngle(seen.angle(i) - bearing)) <= kBeside && !std::isnan(seen.ranges[i])) {
+      farthest = std::max(farthest, static_cast<double>(seen.ranges[i]));
+    }
+  }
+  return farthest;
+}
+
 } // namespace
 
 Pilot::Pilot(const Devices &devices, const RobotDescription &robot, const MirrorCamera &camera,
@@ -172,7 +188,7 @@ Report Pilot::run(const DriveDirection &command)
   Time free = bestAt;
   Driven report;
   while (true) {
-    m_motion.tick();
+    const std::optional<Scan> &scan = m_motion.tick().scan;
     const Time now = m_motion.devices().clock.now();
     const Eigen::Vector2d oLeft = oGoal - m_motion.pose().translation();
     const double left = oLeft.norm();
@@ -185,6 +201,7 @@ Report Pilot::run(const DriveDirection &command)
     }
     if (toSeconds(now - bestAt) > kPatience || toSeconds(now - free) > kBlockedSeconds) {
       report.blocked = true;
+      report.seenAhead = reachOf(*scan, m_robot.rMl, wrapAngle(oBearing - m_motion.pose().heading));
       break;
     }
     const double bearing = wrapAngle(std::atan2(oLeft.y(), oLeft.x()) - m_motion.pose().heading);

@@ -81,6 +81,9 @@ struct ExplorerOptions
   double rightHere = 1.0;     ///< metres
   double nearPlace = 3.5;     ///< metres up to which the robot homes when it looks for its way
 
+  /** Metres: what stands nearer in a direction that was open has come since, and may go again. */
+  double newcomer() const { return 0.75 * forwardDistance; }
+
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }
 

@@ -4,6 +4,7 @@
 #include <homeward/core/id.h>
 #include <homeward/laser/open_directions.h>
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct Driven
 {
   bool blocked = false; ///< stopped by something before the distance was reached
   Chord chord;
+  /** Metres that the laser sees straight on from where it was blocked. */
+  double seenAhead = std::numeric_limits<double>::infinity();
 };
 
 /** Answer to Recognise. */
