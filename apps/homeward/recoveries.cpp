@@ -24,6 +24,7 @@ const std::map<std::string, SwitchOff> &recoveries()
   static const std::map<std::string, SwitchOff> all{
       {"retry", [](MissionTrialOptions &options) { options.explorer.homingTries = 1; }},
       {"relocate", [](MissionTrialOptions &options) { options.explorer.relocates = false; }},
+      {"check-ways", [](MissionTrialOptions &options) { options.explorer.checksWays = false; }},
       {"go-back", [](MissionTrialOptions &options) { options.explorer.retreats = false; }},
       {"stride", [](MissionTrialOptions &options) { options.explorer.strides = false; }},
       {"rescue", [](MissionTrialOptions &options) { options.explorer.rescueTries = 0; }},

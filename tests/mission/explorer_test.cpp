@@ -327,6 +327,16 @@ TEST(Explorer, TriesTheOnlyWayAgainThoughItFailed)
   EXPECT_TRUE(std::holds_alternative<Finish>(step.command));
 }
 
+TEST(Explorer, SaysWhereTheWaysHaveThePlaceThatItHomesTo)
+{
+  Row row;
+  const auto home = std::get<HomeTo>(row.whenSeen({NodeId{1}, 0.99, true, 10.0}));
+  ASSERT_TRUE(home.way);
+  EXPECT_NEAR(home.way->distance, 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(home.way->bearing), kPi, 1e-12);
+  EXPECT_FALSE(home.direct);
+}
+
 TEST(Explorer, DrivesALegThatFailedByItsBearingAndLengthFirst)
 {
   const Explorer explorer(oneMetre());

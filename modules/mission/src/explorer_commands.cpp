@@ -5,8 +5,10 @@
 
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
+#include <homeward/topology/reckoning.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace homeward
 {
@@ -59,7 +61,22 @@ HomeTo ExplorerCommands::homeTo(std::optional<double> departure) const
   const auto off = m_state.phase == Phase::Following ? std::optional(ExplorerWhereabouts::Offset{})
                                                      : m_whereabouts.offset(node);
   const bool far = !off || off->error > m_options.surelyBeyond;
-  return {node, departure, false, m_state.surely || far};
+  HomeTo command{node, departure, false, m_state.surely || far};
+  if (!far && m_options.checksWays) {
+    command.way = wayTo(node);
+  }
+  return command;
+}
+
+std::optional<Way> ExplorerCommands::wayTo(NodeId node) const
+{
+  const auto there =
+      m_state.origin ? reckon(m_map, *m_state.origin, node) : std::optional<Reckoned>{};
+  if (!there) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d way = there->fromMto.translation();
+  return Way{std::atan2(way.y(), way.x()), way.norm()};
 }
 
 std::optional<DriveDirection> ExplorerCommands::retreat() const

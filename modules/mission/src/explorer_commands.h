@@ -43,6 +43,7 @@ public:
 
 private:
   const Direction &directionDriven() const;
+  std::optional<Way> wayTo(NodeId node) const;
 
   const ExplorerOptions &m_options;
   const TopologicalMap &m_map;

@@ -351,6 +351,7 @@ private:
     const std::optional<Edge> edge = m_map.edgeBetween(*state.here, state.route.front());
     if (bearing && edge->length) {
       leg.way = Way{*bearing, *edge->length};
+      leg.direct = true;
     }
     m_step.command = leg;
   }

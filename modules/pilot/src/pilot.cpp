@@ -271,23 +271,20 @@ Report Pilot::run(const HomeTo &command)
     oPlace = m_oMplace.translation() +
              command.way->distance * Eigen::Vector2d(std::cos(oBearing), std::sin(oBearing));
   }
-  HomingRun::Result result = homing.run(oDeparture, command.exactly, oPlace);
+  HomingRun::Result result =
+      homing.run(oDeparture, command.exactly, command.direct ? oPlace : std::nullopt);
   std::optional<double> sure;
-  if (oPlace && result.end == HomingEnd::Arrived &&
-      (m_motion.pose().translation() - *oPlace).norm() > farFrom(command.way->distance)) {
-    sure = m_places.standingAt(command.node, look());
-    if (*sure < m_options.leastSure) {
-      result.end = HomingEnd::Blocked; // what stands in the way hides the place
-    }
-  }
-  if (command.surely && result.end == HomingEnd::Arrived) {
+  const bool elsewhere =
+      oPlace && (m_motion.pose().translation() - *oPlace).norm() > farFrom(command.way->distance);
+  if (result.end == HomingEnd::Arrived && (command.surely || elsewhere)) {
     sure = m_places.standingAt(command.node, look());
     if (*sure < m_options.leastSure && !command.exactly) {
       result = homing.comeCloser();
       sure = m_places.standingAt(command.node, look());
     }
     if (*sure < m_options.leastSure) {
-      result.end = HomingEnd::Lost; // it looks alike
+      // It looks alike; or what stands in the way hides it.
+      result.end = command.direct ? HomingEnd::Blocked : HomingEnd::Lost;
     }
   }
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};

@@ -65,9 +65,10 @@ struct HomeTo
   bool closely = false;
   /** Seconds after which it is given up; the pilot's own when not given. */
   std::optional<double> patience = std::nullopt;
-  /** What does not let it come nearer to there for some seconds bars the way. An arrival elsewhere
-   * counts when the view makes sure of it, else the way is barred too. */
+  /** Where the map has it: an arrival elsewhere counts only when the view makes sure of it. */
   std::optional<Way> way = std::nullopt;
+  /** What does not let it come nearer to there for some seconds bars the way. */
+  bool direct = false;
 
   bool operator==(const HomeTo &) const = default;
 };

@@ -63,12 +63,13 @@ struct ExplorerOptions
   /** Metres: a direction is closed without being driven when so near to where it leads there is a
    * node that the ways tell surely enough; 0: every direction is driven, as the seed does. */
   double closeNear = 0.0;
-  int homingTries = 3;   ///< times to home to a recognised place before the way there is given up
-  bool retreats = true;  ///< where nothing is recognised, drive back to the place left
-  bool strides = true;   ///< drive a leg that failed by its bearing and length before homing
-  bool relocates = true; ///< look for a known place where a leg failed, else make a new one there
-  int legTries = 4;      ///< failures after which an edge is planned over only when cut off, ...
-  int rescueTries = 3;   ///< ... as often again each time; looks then for a place that leads on
+  int homingTries = 3;    ///< times to home to a recognised place before the way there is given up
+  bool retreats = true;   ///< where nothing is recognised, drive back to the place left
+  bool strides = true;    ///< drive a leg that failed by its bearing and length before homing
+  bool checksWays = true; ///< an arrival far from where the ways have the place must look sure
+  bool relocates = true;  ///< look for a known place where a leg failed, else make a new one there
+  int legTries = 4;       ///< failures after which an edge is planned over only when cut off, ...
+  int rescueTries = 3;    ///< ... as often again each time; looks then for a place that leads on
   EdgeCost cost = expectedMetres; ///< of the ways to the next open direction; countEdge: the seed's
   int maxNodes = 400;             ///< a map that grows beyond is a fault, not a building
 
