@@ -31,6 +31,8 @@ ExplorerState anyState()
   state.dissimilarity = 218.2;
   state.retries = 1;
   state.vain = {{NodeId{4}, 2}};
+  state.refuted = {NodeId{6}};
+  state.alike = {{NodeId{3}, NodeId{6}}};
   state.stranded = 1;
   state.failures = {{EdgeId{0}, 1}, {EdgeId{7}, 3}};
   state.attempts = {{{NodeId{3}, DirectionId{1}}, 1}};

@@ -64,6 +64,9 @@ public:
                                   open.bearing, open.width, DirectionState::Open, ""});
     }
     change(NodeAdded{added});
+    for (const NodeId other : m_step.state.refuted) {
+      m_step.state.alike.emplace_back(node, other);
+    }
     if (m_step.state.origin) {
       m_step.log.push_back(
           explorationLine("Exploration", *m_step.state.origin, node, std::nullopt));
@@ -97,7 +100,7 @@ public:
       known = m_whereabouts.placeHere(report.matches, true);
     }
     if (known == nullptr) {
-      survey();
+      surveyOrGoBack();
       return;
     }
     if (known->node == m_step.state.origin) {
@@ -111,8 +114,9 @@ public:
   {
     ExplorerState &state = m_step.state;
     const NodeId target = *state.target;
+    const HomingEnd end = endOf(report);
     state.chord = report.chord;
-    if (report.end == HomingEnd::Arrived) {
+    if (end == HomingEnd::Arrived) {
       if (state.direction && state.origin) {
         m_step.log.push_back(
             explorationLine("Exploration(Homing)", *state.origin, target, state.dissimilarity));
@@ -121,15 +125,12 @@ public:
       leave(target);
     }
     else if (++state.retries < m_options.homingTries) {
-      state.vain[target] += report.end == HomingEnd::Lost ? kLooksAlike : 1;
+      state.vain[target] += end == HomingEnd::Lost ? kLooksAlike : 1;
       ask(Phase::Classifying, Recognise{});
-    }
-    else if (!state.origin || m_whereabouts.isWay(report.chord)) {
-      survey();
     }
     else {
       ++state.vain[target];
-      home(Phase::Returning, *state.origin, std::nullopt);
+      surveyOrGoBack();
     }
   }
 
@@ -147,6 +148,7 @@ public:
       state.chord = {};
       state.retries = 0;
       state.retreated = false;
+      state.refuted.clear();
       state.vain.clear();
       if (state.route.empty()) {
         leave(reached);
@@ -182,7 +184,8 @@ public:
     ExplorerState &state = m_step.state;
     std::vector<PlaceMatch> matches = report.matches;
     std::erase_if(matches, [this](const PlaceMatch &match) {
-      return !m_whereabouts.plausible(match.node, m_options.nearPlace);
+      return m_whereabouts.onlyLooksLike(match.node) ||
+             !m_whereabouts.plausible(match.node, m_options.nearPlace);
     });
     if (state.stranded > 0) {
       std::erase_if(matches,
@@ -213,7 +216,7 @@ public:
 
   void returned(const Homed &report)
   {
-    if (report.end == HomingEnd::Arrived) {
+    if (endOf(report) == HomingEnd::Arrived) {
       if (m_step.state.target == m_step.state.origin) {
         giveUp();
       }
@@ -243,6 +246,36 @@ private:
   }
 
   void survey() { ask(Phase::Surveying, Survey{}); }
+
+  /** A place that no edge would lead to is none. */
+  void surveyOrGoBack()
+  {
+    ExplorerState &state = m_step.state;
+    if (!state.origin || m_whereabouts.isWay(state.chord)) {
+      survey();
+    }
+    else if (const auto back = state.retreated ? std::nullopt : m_commands.retreat()) {
+      state.retreated = true;
+      ask(Phase::Retreating, *back);
+    }
+    else {
+      home(Phase::Returning, *state.origin, std::nullopt);
+    }
+  }
+
+  /** How the homing to the target ended; what it turned out to look like only is remembered. */
+  HomingEnd endOf(const Homed &report)
+  {
+    ExplorerState &state = m_step.state;
+    const NodeId target = *state.target;
+    const bool elsewhere =
+        report.end == HomingEnd::Arrived && m_whereabouts.isElsewhere(target, report.chord);
+    if (elsewhere || report.end == HomingEnd::Lost) {
+      state.refuted.push_back(target);
+      return HomingEnd::Lost;
+    }
+    return report.end;
+  }
 
   /** @param surely to make sure of the node, whatever the ways say */
   void home(Phase phase, NodeId node, std::optional<double> departure, bool surely = false)
@@ -339,6 +372,7 @@ private:
     state.route.clear();
     state.retries = 0;
     state.retreated = false;
+    state.refuted.clear();
     if (m_commands.tooManyNodes()) {
       end();
       return;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace homeward
 {
@@ -44,7 +45,8 @@ double ExplorerWhereabouts::logOdds(const PlaceMatch &match) const
   const double sight = std::log(probability / (1.0 - probability));
   const auto off = offset(match.node);
   const double sigmas = off ? off->distance / (m_options.placeSigma + off->error) : 0.0;
-  return sight - 0.5 * sigmas * sigmas;
+  return sigmas > m_options.farthest ? -std::numeric_limits<double>::infinity()
+                                     : sight - 0.5 * sigmas * sigmas;
 }
 
 /** Whether the node stands right here by ways that are short enough to tell. */
@@ -61,13 +63,27 @@ const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &
   double highest = near ? m_options.leastNear : m_options.leastLogOdds;
   for (const PlaceMatch &match : matches) {
     const double odds = logOdds(match);
-    if (odds > highest && !tooOftenInVain(match.node) &&
+    if (odds > highest && !tooOftenInVain(match.node) && !onlyLooksLike(match.node) &&
         (!near || (match.node != m_state.origin && standsHere(match.node)))) {
       highest = odds;
       best = &match;
     }
   }
   return best;
+}
+
+bool ExplorerWhereabouts::onlyLooksLike(NodeId node) const
+{
+  if (!m_state.origin || m_state.chord.distance > m_options.rightHere) {
+    return false;
+  }
+  const std::pair pair{*m_state.origin, node};
+  return std::find(m_state.alike.begin(), m_state.alike.end(), pair) != m_state.alike.end();
+}
+
+bool ExplorerWhereabouts::isElsewhere(NodeId node, const Chord &chord) const
+{
+  return m_state.origin && *m_state.origin != node && chord.distance < m_options.samePlace;
 }
 
 bool ExplorerWhereabouts::tooOftenInVain(NodeId node) const

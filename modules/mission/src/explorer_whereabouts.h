@@ -37,6 +37,12 @@ public:
    */
   const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches, bool near) const;
 
+  /** Whether the robot stands beside the place left, which is known only to look like the node. */
+  bool onlyLooksLike(NodeId node) const;
+
+  /** Whether a robot that seems to have come to the node stands where it left another. */
+  bool isElsewhere(NodeId node, const Chord &chord) const;
+
   /** The node where a drive from `node` would end, by ways short enough to be sure of it. */
   std::optional<NodeId> nodeWhere(NodeId node, double bearing) const;
 

@@ -50,7 +50,7 @@ const char *word(Phase phase)
 template <class State, class Visit> void eachField(State &state, Visit visit)
 {
   auto &[steps, phase, origin, direction, route, target, surely, strode, retreated, dissimilarity,
-         retries, vain, stranded, failures, attempts, chord] = state;
+         retries, vain, refuted, alike, stranded, failures, attempts, chord] = state;
   visit("steps", steps);
   visit("phase", phase);
   visit("origin", origin);
@@ -63,6 +63,8 @@ template <class State, class Visit> void eachField(State &state, Visit visit)
   visit("dissimilarity", dissimilarity);
   visit("retries", retries);
   visit("vain", vain);
+  visit("refuted", refuted);
+  visit("alike", alike);
   visit("stranded", stranded);
   visit("failures", failures);
   visit("attempts", attempts);

@@ -43,6 +43,8 @@ struct ExplorerState
   double dissimilarity = 0.0;           ///< of the place recognised
   int retries = 0;                      ///< since the last node stood at
   std::map<NodeId, int> vain;           ///< homings that did not arrive since the robot last got on
+  std::vector<NodeId> refuted; ///< places that this one only looked like, since the last node
+  std::vector<std::pair<NodeId, NodeId>> alike; ///< two places each that only look alike
   int stranded = 0;               ///< looks for a place that leads on, since the last that did
   std::map<EdgeId, int> failures; ///< legs that were not driven to their end
   std::map<std::pair<NodeId, DirectionId>, int> attempts; ///< drives that led to no edge
@@ -77,6 +79,8 @@ struct ExplorerOptions
   double placeSigma = 0.5;
   double reckoningError = 0.08; ///< metres a metre of way, one sigma, that the ways add to it
   double surelyBeyond = 0.5;  ///< metres that the ways add, beyond which an arrival is made sure of
+  double farthest = 3.0;      ///< sigmas off by the ways, beyond which it is no place however alike
+  double samePlace = 0.3;     ///< metres; so near to each other there cannot be two places
   double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one, ...
   double leastNear = -2.5;    ///< ... unless the ways have the place right here: to make sure then
   double rightHere = 1.0;     ///< metres
