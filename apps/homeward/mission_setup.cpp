@@ -78,7 +78,7 @@ ExplorerOptions explorerOptions(const ExploreSettings &settings)
   constexpr double kCloseNear = 0.7; // metres
   ExplorerOptions options;
   options.forwardDistance = settings.forwardDistance;
-  options.cost = settings.equalCosts ? countEdge : expectedMetres;
+  options.cost = settings.equalCosts ? RouteCost::Edges : RouteCost::ExpectedMetres;
   options.closeNear = settings.closeKnown ? kCloseNear : 0.0;
   return options;
 }

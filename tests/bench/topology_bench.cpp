@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <homeward/core/random.h>
 #include <homeward/topology/planner.h>
 
 #include <benchmark/benchmark.h>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 // The way to the nearest place with an open direction, from a corner of a square grid where every
-// third cross-edge is missing. Arguments: number of nodes; where the only open direction is, in per
-// cent of the nodes by distance (0: ten edges away). Boost.Graph's own search runs beside it over
-// the same graph, built before: over everything, and with a visitor that ends it at the first hit.
+// third cross-edge is missing, and the others are 0.8 to 1.2 m long. Arguments: number of nodes;
+// where the only open direction is, in per cent of the nodes by distance (0: ten edges away);
+// RouteCost: 0 counts edges, 1 adds metres. Boost.Graph's own search runs beside it over the same
+// graph with the same costs, built before: over everything, and with a visitor that ends it at the
+// first hit.
 
 namespace homeward
 {
 namespace
 {
 
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
-                                    boost::no_property, boost::property<boost::edge_weight_t, int>>;
+using Graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                          boost::property<boost::edge_weight_t, double>>;
 using Vertex = boost::graph_traits<Graph>::vertex_descriptor;
 
 /** A building with one direction left, as a map and as Boost has graphs. */
@@ -29,6 +34,7 @@ struct Building
   TopologicalMap map;
   Graph graph;
   NodeId open;
+  RouteCost cost;
 };
 
 NodeId openNode(std::int64_t side, std::int64_t percent)
@@ -49,11 +55,12 @@ bool hasEdge(std::int64_t column, std::int64_t row)
   return row == 0 || (column + 2 * row) % 3 != 0;
 }
 
-std::unique_ptr<Building> build(std::int64_t nodes, std::int64_t percent)
+std::unique_ptr<Building> build(std::int64_t nodes, std::int64_t percent, RouteCost cost)
 {
   const auto side = static_cast<std::int64_t>(std::llround(std::sqrt(static_cast<double>(nodes))));
   auto building = std::make_unique<Building>();
   building->open = openNode(side, percent);
+  building->cost = cost;
   for (std::int64_t id = 0; id < side * side; ++id) {
     Node node{NodeId{id}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Closed, "blocked"}}};
     if (node.id == building->open) {
@@ -62,10 +69,13 @@ std::unique_ptr<Building> build(std::int64_t nodes, std::int64_t percent)
     building->map.apply(NodeAdded{node});
   }
   building->graph = Graph(static_cast<std::size_t>(side * side));
+  Random random(1, 0);
   const auto join = [&](std::int64_t a, std::int64_t b) {
+    const double length = random.uniform(0.8, 1.2);
     building->map.apply(
-        EdgeAdded{{building->map.nextEdgeId(), NodeId{a}, NodeId{b}, 0.0, 0.0, 1.0}});
-    boost::add_edge(static_cast<Vertex>(a), static_cast<Vertex>(b), 1, building->graph);
+        EdgeAdded{{building->map.nextEdgeId(), NodeId{a}, NodeId{b}, 0.0, 0.0, length}});
+    boost::add_edge(static_cast<Vertex>(a), static_cast<Vertex>(b),
+                    cost == RouteCost::Edges ? 1.0 : length, building->graph);
   };
   for (std::int64_t row = 0; row < side; ++row) {
     for (std::int64_t column = 0; column < side; ++column) {
@@ -85,11 +95,11 @@ std::unique_ptr<Building> build(std::int64_t nodes, std::int64_t percent)
 const Building &building(const benchmark::State &state)
 {
   static std::unique_ptr<Building> last;
-  static std::pair<std::int64_t, std::int64_t> lastKey{0, 0};
-  const std::pair<std::int64_t, std::int64_t> key{state.range(0), state.range(1)};
+  static std::array<std::int64_t, 3> lastKey{};
+  const std::array<std::int64_t, 3> key{state.range(0), state.range(1), state.range(2)};
   if (key != lastKey) {
     last.reset();
-    last = build(key.first, key.second);
+    last = build(key[0], key[1], static_cast<RouteCost>(key[2]));
     lastKey = key;
   }
   return *last;
@@ -128,7 +138,7 @@ private:
 template <class Visitor> std::vector<NodeId> boostPath(const Building &building, Visitor visitor)
 {
   std::vector<Vertex> before(boost::num_vertices(building.graph));
-  std::vector<int> distances(before.size());
+  std::vector<double> distances(before.size());
   try {
     boost::dijkstra_shortest_paths(
         building.graph, Vertex{0},
@@ -150,7 +160,7 @@ void BM_PathToNearestOpen(benchmark::State &state)
   const Building &made = building(state);
   std::size_t length = 0;
   for (auto _ : state) {
-    length = pathToNearestOpen(made.map, NodeId{0})->size();
+    length = pathToNearestOpen(made.map, NodeId{0}, {}, made.cost)->size();
   }
   report(state, length);
 }
@@ -180,12 +190,14 @@ const int kRegistered = [] {
       {"nearest open", &BM_PathToNearestOpen},
       {"Boost, everything", &BM_BoostDijkstraOverEverything},
       {"Boost, to the first", &BM_BoostDijkstraToTheFirst}};
-  for (const std::int64_t nodes : {1000, 100000, 1000000}) {
-    for (const std::int64_t percent : {0, 50, 100}) {
-      for (const auto &[name, run] : kRuns) {
-        benchmark::RegisterBenchmark(name, run)
-            ->Args({nodes, percent})
-            ->Unit(benchmark::kMicrosecond);
+  for (const RouteCost cost : {RouteCost::Edges, RouteCost::ExpectedMetres}) {
+    for (const std::int64_t nodes : {1000, 100000, 1000000}) {
+      for (const std::int64_t percent : {0, 50, 100}) {
+        for (const auto &[name, run] : kRuns) {
+          benchmark::RegisterBenchmark(name, run)
+              ->Args({nodes, percent, static_cast<std::int64_t>(cost)})
+              ->Unit(benchmark::kMicrosecond);
+        }
       }
     }
   }

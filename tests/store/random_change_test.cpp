@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 
 namespace homeward
@@ -102,11 +104,18 @@ void expectInvariants(const TopologicalMap &map)
     ASSERT_LT(id, map.nextNodeId());
     ASSERT_TRUE(node.name.empty() || names.insert(node.name).second);
     ASSERT_TRUE(node.name.empty() || map.find(node.name) == id);
-    ASSERT_TRUE(std::is_sorted(map.neighbours(id).begin(), map.neighbours(id).end()));
-    for (std::size_t i = 0; i < map.neighbours(id).size(); ++i) {
-      ASSERT_EQ(map.edgeBetween(id, map.neighbours(id)[i])->id, map.edgesAt(id)[i]);
+    const std::vector<NodeId> near = map.neighbours(id);
+    ASSERT_TRUE(std::is_sorted(near.begin(), near.end()));
+    for (const Link &link : map.links(id)) {
+      const Edge edge = *map.edgeBetween(id, link.to);
+      ASSERT_EQ(link.edge, edge.id);
+      ASSERT_EQ(link.metres,
+                edge.forbidden ? std::numeric_limits<double>::infinity() : expectedMetres(edge));
       ++ends;
     }
+    ASSERT_EQ(map.hasOpenDirection(id),
+              std::any_of(node.directions.begin(), node.directions.end(),
+                          [](const Direction &one) { return one.state == DirectionState::Open; }));
   }
   ASSERT_EQ(ends, 2 * map.edges().size());
 }

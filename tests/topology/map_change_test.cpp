@@ -114,7 +114,7 @@ TEST(EdgeRemoved, LeavesItsPlaces)
   map.apply(EdgeRemoved{{1}});
   EXPECT_EQ(map.edgeBetween({1}, {2}), std::nullopt);
   EXPECT_THAT(map.neighbours({2}), ElementsAre(NodeId{4}));
-  EXPECT_THAT(map.edgesAt({2}), ElementsAre(EdgeId{3}));
+  EXPECT_EQ(map.links({2})[0].edge, EdgeId{3});
   EXPECT_THROW(map.apply(EdgeRemoved{{1}}), LogicError);
   map.apply(EdgeAdded{{{5}, {2}, {1}}});
   EXPECT_EQ(map.edgeBetween({1}, {2})->id, EdgeId{5});
@@ -154,6 +154,7 @@ TEST(NodesMerged, EdgesMoveWithTheirBearingsTurned)
   EXPECT_EQ(map.edge({4}), (Edge{{4}, {3}, {1}, 0.4, 0.25, 1.5}));
   EXPECT_EQ(map.node({1}).directions[0].state, DirectionState::Driven);
   EXPECT_EQ(map.node({1}).directions[0].reason, "leads to node 3");
+  EXPECT_FALSE(map.hasOpenDirection({1}));
   EXPECT_EQ(map.nextNodeId(), NodeId{5});
 }
 

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace homeward
 {
@@ -128,7 +130,7 @@ TEST(Planner, NeverUsesAForbiddenEdge)
   EXPECT_EQ(stepDistances(map, {4}).at({5}), 5);
   map.apply(EdgeForbidden{map.edgeBetween({6}, {7})->id});
   EXPECT_EQ(pathToNearestOpen(map, {4}), std::nullopt);
-  EXPECT_EQ(shortestPath(map, {0}, {7}, {}, expectedMetres), std::nullopt);
+  EXPECT_EQ(shortestPath(map, {0}, {7}, {}, RouteCost::ExpectedMetres), std::nullopt);
 }
 
 TEST(Planner, TakesMoreEdgesWhereTheyCostLess)
@@ -137,20 +139,26 @@ TEST(Planner, TakesMoreEdgesWhereTheyCostLess)
   const EdgeId corridor = map.edgeBetween({4}, {5})->id;
   const Path straight{{0}, {4}, {5}, {6}};
   const Path round{{0}, {1}, {2}, {3}, {5}, {6}};
-  EXPECT_EQ(shortestPath(map, {0}, {6}, {}, expectedMetres), straight);
+  EXPECT_EQ(shortestPath(map, {0}, {6}, {}, RouteCost::ExpectedMetres), straight);
   map.apply(EdgeTried{corridor, "blocked", 9.0, 1.0});
-  EXPECT_EQ(pathToNearestOpen(map, {0}, {}, expectedMetres), straight); // 8 m, not 10
+  EXPECT_EQ(pathToNearestOpen(map, {0}, {}, RouteCost::ExpectedMetres), straight); // 8 m, not 10
   map.apply(EdgeTried{corridor, "blocked", 9.0, 2.0});
-  EXPECT_EQ(shortestPath(map, {0}, {6}, {}, expectedMetres), round); // 10 m both, smaller ids
-  EXPECT_EQ(pathToNearestOpen(map, {0}, {}, expectedMetres), round);
+  EXPECT_EQ(shortestPath(map, {0}, {6}, {}, RouteCost::ExpectedMetres),
+            round); // 10 m both, smaller ids
+  EXPECT_EQ(pathToNearestOpen(map, {0}, {}, RouteCost::ExpectedMetres), round);
   EXPECT_EQ(shortestPath(map, {0}, {6}), straight);
 }
 
-TEST(Planner, RefusesACostThatIsNone)
+TEST(Planner, GoesFar)
 {
-  EXPECT_THROW(shortestPath(flat(), {0}, {7}, {}, [](const Edge &) { return 0.0; }), LogicError);
-  EXPECT_THROW(pathToNearestOpen(flat({7}), {0}, {}, [](const Edge &) { return -1.0; }),
-               LogicError);
+  constexpr int kNodes = 1000;
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 1; i < kNodes; ++i) {
+    edges.emplace_back(i - 1, i);
+  }
+  const TopologicalMap corridor = mapOf(kNodes, edges, {kNodes - 1});
+  EXPECT_EQ(pathToNearestOpen(corridor, {0})->size(), 1000U);
+  EXPECT_EQ(pathToNearestOpen(corridor, {0}, {}, RouteCost::ExpectedMetres)->size(), 1000U);
 }
 
 TEST(ExpectedMetres, AreLengthTimesExpectedTries)
@@ -159,6 +167,7 @@ TEST(ExpectedMetres, AreLengthTimesExpectedTries)
   EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 3.0, {5, 5}}), 3.0);
   EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 3.0, {5, 1}}), 9.0);
   EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 0.0}), 0.1);
+  EXPECT_EQ(expectedMetres({{0}, {0}, {1}, {}, {}, 1e300, {9, 0}}), 1e6);
 }
 
 TEST(StepDistances, CountEdgesAndLeaveOutWhatCannotBeReached)
@@ -256,6 +265,125 @@ TEST(PlannerLaws, NoOpenNodeIsNearerThanTheOneChosen)
     ASSERT_EQ(pathToNearestOpen(map, {0}), best);
   }
   EXPECT_GT(found, 50);
+}
+
+/** A map with gaps, forbidden edges and lengths, of which sums are often the same. */
+TopologicalMap randomBuilding(Random &random)
+{
+  TopologicalMap map;
+  const int n = static_cast<int>(random.uniform(2.0, 40.0));
+  for (int i = 0; i < n; ++i) {
+    const DirectionState state =
+        random.uniform(0.0, 1.0) < 0.1 ? DirectionState::Open : DirectionState::Closed;
+    map.apply(NodeAdded{{{i}, {{{0}, 0.0, 0.3, state}}}});
+  }
+  for (int tries = 0; tries < 3 * n; ++tries) {
+    const NodeId a{static_cast<int>(random.uniform(0.0, n))};
+    const NodeId b{static_cast<int>(random.uniform(0.0, n))};
+    if (a != b && !map.edgeBetween(a, b)) {
+      const EdgeId id = map.nextEdgeId();
+      map.apply(EdgeAdded{{id, a, b, {}, {}, 0.5 * std::floor(random.uniform(1.0, 6.0))}});
+      if (random.uniform(0.0, 1.0) < 0.2) {
+        map.apply(EdgeTried{id, "blocked"});
+      }
+      map.apply(EdgeForbidden{id, random.uniform(0.0, 1.0) < 0.1});
+    }
+  }
+  for (int i = 0; i < n / 5; ++i) {
+    const NodeId gone{static_cast<int>(random.uniform(0.0, n))};
+    if (map.contains(gone)) {
+      map.apply(NodeRemoved{gone});
+    }
+  }
+  return map;
+}
+
+using Costs = std::map<NodeId, double>; ///< of the best routes to a node, where there is one
+
+double costOf(const Edge &edge, const std::set<EdgeId> &blocked, RouteCost cost)
+{
+  if (edge.forbidden || blocked.count(edge.id) == 1) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return cost == RouteCost::Edges ? 1.0 : expectedMetres(edge);
+}
+
+/** Lowered along every edge until nothing gets lower any more. */
+Costs costsTo(const TopologicalMap &map, NodeId to, const std::set<EdgeId> &blocked, RouteCost cost)
+{
+  Costs costs;
+  for (const auto &[id, unused] : map.nodes()) {
+    costs[id] = id == to ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  for (std::size_t round = 0; round < map.nodes().size(); ++round) {
+    for (const auto &[id, edge] : map.edges()) {
+      const double along = costOf(edge, blocked, cost);
+      costs[edge.a] = std::min(costs[edge.a], costs[edge.b] + along);
+      costs[edge.b] = std::min(costs[edge.b], costs[edge.a] + along);
+    }
+  }
+  return costs;
+}
+
+/** From node to node to the smallest that is on a best route. */
+std::optional<Path> plainRoute(const TopologicalMap &map, NodeId from, NodeId to,
+                               const std::set<EdgeId> &blocked, RouteCost cost)
+{
+  const Costs costs = costsTo(map, to, blocked, cost);
+  if (std::isinf(costs.at(from))) {
+    return std::nullopt;
+  }
+  Path path{from};
+  while (path.back() != to) {
+    for (const NodeId near : map.neighbours(path.back())) {
+      const double along = costOf(*map.edgeBetween(path.back(), near), blocked, cost);
+      if (costs.at(near) + along == costs.at(path.back())) {
+        path.push_back(near);
+        break;
+      }
+    }
+  }
+  return path;
+}
+
+std::optional<Path> plainRouteToOpen(const TopologicalMap &map, NodeId from,
+                                     const std::set<EdgeId> &blocked, RouteCost cost)
+{
+  std::optional<NodeId> nearest;
+  const Costs costs = costsTo(map, from, blocked, cost);
+  for (const auto &[id, unused] : map.nodes()) {
+    if (map.hasOpenDirection(id) && !std::isinf(costs.at(id)) &&
+        (!nearest || costs.at(id) < costs.at(*nearest))) {
+      nearest = id;
+    }
+  }
+  return nearest ? plainRoute(map, from, *nearest, blocked, cost) : std::nullopt;
+}
+
+TEST(PlannerLaws, RoutesAreThoseOfAPlainSearch)
+{
+  Random random(3, 0);
+  int found = 0;
+  for (int round = 0; round < 300; ++round) {
+    const TopologicalMap map = randomBuilding(random);
+    const NodeId from = (*map.nodes().begin()).first;
+    std::set<EdgeId> blocked;
+    for (const auto &[id, unused] : map.edges()) {
+      if (random.uniform(0.0, 1.0) < 0.1) {
+        blocked.insert(id);
+      }
+    }
+    for (const RouteCost cost : {RouteCost::Edges, RouteCost::ExpectedMetres}) {
+      for (const auto &[to, unused] : map.nodes()) {
+        ASSERT_EQ(shortestPath(map, from, to, blocked, cost),
+                  plainRoute(map, from, to, blocked, cost));
+      }
+      const std::optional<Path> route = pathToNearestOpen(map, from, blocked, cost);
+      ASSERT_EQ(route, plainRouteToOpen(map, from, blocked, cost));
+      found += route ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 300);
 }
 
 } // namespace

@@ -9,16 +9,6 @@
 namespace homeward
 {
 
-namespace
-{
-
-bool isOpen(const Direction &direction)
-{
-  return direction.state == DirectionState::Open;
-}
-
-} // namespace
-
 std::string_view name(DirectionState state)
 {
   switch (state) {
@@ -43,6 +33,16 @@ std::optional<DirectionState> parseDirectionState(std::string_view word)
   return std::nullopt;
 }
 
+double expectedMetres(const Edge &edge)
+{
+  constexpr double kUnknown = 2.0;
+  constexpr double kLeast = 0.1;
+  constexpr double kMost = 1e6; // a sum of millions still tells kLeast
+  const EdgeStatistics &known = edge.statistics;
+  const double length = std::max(edge.length.value_or(kUnknown), kLeast);
+  return std::min(length * (known.tries + 1.0) / (known.successes + 1.0), kMost);
+}
+
 TopologicalMap::TopologicalMap(const std::vector<Node> &nodes, const std::vector<Edge> &edges,
                                NodeId nextNode, EdgeId nextEdge)
 {
@@ -54,7 +54,7 @@ TopologicalMap::TopologicalMap(const std::vector<Node> &nodes, const std::vector
   };
   for (const Node &node : nodes) {
     reserve(m_nodes, node.id, nextNode);
-    m_ways.skipTo(node.id);
+    m_junctions.skipTo(node.id);
     make(NodeAdded{node});
   }
   for (const Edge &edge : edges) {
@@ -62,7 +62,7 @@ TopologicalMap::TopologicalMap(const std::vector<Node> &nodes, const std::vector
     make(EdgeAdded{edge});
   }
   m_nodes.skipTo(nextNode);
-  m_ways.skipTo(nextNode);
+  m_junctions.skipTo(nextNode);
   m_edges.skipTo(nextEdge);
 }
 
@@ -96,34 +96,36 @@ std::optional<NodeId> TopologicalMap::find(std::string_view numberOrName) const
   return isNumber && contains(number) ? std::optional(number) : std::nullopt;
 }
 
-const TopologicalMap::Ways &TopologicalMap::ways(NodeId id) const
+const TopologicalMap::Junction &TopologicalMap::junction(NodeId id) const
 {
-  const Ways *found = m_ways.find(id);
+  const Junction *found = m_junctions.find(id);
   if (found == nullptr) {
     refuse(text(id) + " is unknown");
   }
   return *found;
 }
 
-const std::vector<NodeId> &TopologicalMap::neighbours(NodeId id) const
+std::vector<NodeId> TopologicalMap::neighbours(NodeId id) const
 {
-  return ways(id).neighbours;
+  std::vector<NodeId> near;
+  for (const Link &link : links(id)) {
+    near.push_back(link.to);
+  }
+  return near;
 }
 
-const std::vector<EdgeId> &TopologicalMap::edgesAt(NodeId id) const
+/** Of the link to a node, or where it would stand. */
+std::vector<Link>::const_iterator TopologicalMap::place(const std::vector<Link> &links, NodeId to)
 {
-  return ways(id).edges;
+  return std::lower_bound(links.begin(), links.end(), to,
+                          [](const Link &link, NodeId end) { return link.to < end; });
 }
 
 std::optional<EdgeId> TopologicalMap::edgeIdBetween(NodeId a, NodeId b) const
 {
   node(b);
-  const Ways &near = ways(a);
-  const auto place = std::lower_bound(near.neighbours.begin(), near.neighbours.end(), b);
-  if (place == near.neighbours.end() || *place != b) {
-    return std::nullopt;
-  }
-  return near.edges[static_cast<std::size_t>(place - near.neighbours.begin())];
+  const auto link = place(links(a), b);
+  return link != links(a).end() && link->to == b ? std::optional(link->edge) : std::nullopt;
 }
 
 std::optional<Edge> TopologicalMap::edgeBetween(NodeId a, NodeId b) const
@@ -141,19 +143,13 @@ std::optional<double> TopologicalMap::departureBearing(NodeId from, NodeId to) c
   return edge(*id).a == from ? edge(*id).bearingAtA : edge(*id).bearingAtB;
 }
 
-bool TopologicalMap::hasOpenDirection(NodeId id) const
-{
-  const std::vector<Direction> &directions = node(id).directions;
-  return std::any_of(directions.begin(), directions.end(), isOpen);
-}
-
 int TopologicalMap::openDirectionCount() const
 {
-  std::ptrdiff_t count = 0;
-  for (const auto &[id, place] : m_nodes) {
-    count += std::count_if(place.directions.begin(), place.directions.end(), isOpen);
+  int count = 0;
+  for (const auto &[id, junction] : m_junctions) {
+    count += junction.openDirections;
   }
-  return static_cast<int>(count);
+  return count;
 }
 
 } // namespace homeward

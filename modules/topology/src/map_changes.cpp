@@ -6,12 +6,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace homeward
 {
 
 namespace
 {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+int countOpen(const std::vector<Direction> &directions)
+{
+  return static_cast<int>(
+      std::count_if(directions.begin(), directions.end(), [](const Direction &direction) {
+        return direction.state == DirectionState::Open;
+      }));
+}
 
 std::optional<double> turned(const std::optional<double> &bearing, double turn)
 {
@@ -74,20 +85,30 @@ void TopologicalMap::checkEnds(const Edge &edge) const
   }
 }
 
-void TopologicalMap::link(NodeId from, NodeId to, EdgeId edge)
+void TopologicalMap::link(EdgeId id)
 {
-  Ways &ways = m_ways.at(from);
-  const auto place = std::lower_bound(ways.neighbours.begin(), ways.neighbours.end(), to);
-  ways.edges.insert(ways.edges.begin() + (place - ways.neighbours.begin()), edge);
-  ways.neighbours.insert(place, to);
+  const Edge &edge = m_edges.at(id);
+  for (const auto &[from, to] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
+    std::vector<Link> &links = m_junctions.at(from).links;
+    links.insert(place(links, to), {to, id, edge.forbidden ? kInfinity : expectedMetres(edge)});
+  }
 }
 
-void TopologicalMap::unlink(NodeId from, NodeId to)
+void TopologicalMap::unlink(EdgeId id)
 {
-  Ways &ways = m_ways.at(from);
-  const auto place = std::lower_bound(ways.neighbours.begin(), ways.neighbours.end(), to);
-  ways.edges.erase(ways.edges.begin() + (place - ways.neighbours.begin()));
-  ways.neighbours.erase(place);
+  const Edge &edge = m_edges.at(id);
+  for (const auto &[from, to] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
+    std::vector<Link> &links = m_junctions.at(from).links;
+    links.erase(place(links, to));
+  }
+}
+
+/** An edge that was changed in any way but its id. */
+void TopologicalMap::replace(const Edge &edge)
+{
+  unlink(edge.id);
+  m_edges.at(edge.id) = edge;
+  link(edge.id);
 }
 
 void TopologicalMap::make(const NodeAdded &change)
@@ -100,7 +121,7 @@ void TopologicalMap::make(const NodeAdded &change)
   checkDirections(node);
   checkName(node.id, node.name);
   m_nodes.add(node);
-  m_ways.add({});
+  m_junctions.add({countOpen(node.directions)});
   rename(node.id, node.name);
 }
 
@@ -114,8 +135,7 @@ void TopologicalMap::make(const EdgeAdded &change)
   checkEnds(edge);
   checkValues(edge);
   m_edges.add(edge);
-  link(edge.a, edge.b, edge.id);
-  link(edge.b, edge.a, edge.id);
+  link(edge.id);
 }
 
 void TopologicalMap::make(const DirectionSettled &change)
@@ -134,6 +154,7 @@ void TopologicalMap::make(const DirectionSettled &change)
   }
   direction.state = change.state;
   direction.reason = change.reason;
+  --m_junctions.at(change.node).openDirections;
 }
 
 void TopologicalMap::make(const NodeNamed &change)
@@ -146,32 +167,33 @@ void TopologicalMap::make(const NodeNamed &change)
 void TopologicalMap::make(const NodeRemoved &change)
 {
   node(change.node);
-  const std::vector<EdgeId> edges = edgesAt(change.node);
-  for (const EdgeId edge : edges) {
-    make(EdgeRemoved{edge});
+  const std::vector<Link> links = this->links(change.node);
+  for (const Link &link : links) {
+    make(EdgeRemoved{link.edge});
   }
   rename(change.node, "");
   m_nodes.remove(change.node);
-  m_ways.remove(change.node);
+  m_junctions.remove(change.node);
 }
 
 void TopologicalMap::make(const EdgeRemoved &change)
 {
-  const Edge &gone = edge(change.edge);
-  unlink(gone.a, gone.b);
-  unlink(gone.b, gone.a);
+  edge(change.edge);
+  unlink(change.edge);
   m_edges.remove(change.edge);
 }
 
 void TopologicalMap::make(const EdgeForbidden &change)
 {
-  edge(change.edge);
-  m_edges.at(change.edge).forbidden = change.forbidden;
+  Edge changed = edge(change.edge);
+  changed.forbidden = change.forbidden;
+  replace(changed);
 }
 
 void TopologicalMap::make(const EdgeTried &change)
 {
-  EdgeStatistics statistics = edge(change.edge).statistics;
+  Edge tried = edge(change.edge);
+  EdgeStatistics &statistics = tried.statistics;
   ++statistics.tries;
   statistics.lastTime = change.time;
   if (!(std::isfinite(change.seconds) && change.seconds >= 0.0)) {
@@ -185,7 +207,7 @@ void TopologicalMap::make(const EdgeTried &change)
     statistics.lastError = change.end;
   }
   checkStatistics(change.edge, statistics);
-  m_edges.at(change.edge).statistics = statistics;
+  replace(tried);
 }
 
 void TopologicalMap::make(const NodesMerged &change)
@@ -199,9 +221,9 @@ void TopologicalMap::make(const NodesMerged &change)
     refuse("the turn " + std::to_string(change.turn) + " of " + text(change.gone) +
            " is not finite");
   }
-  const std::vector<EdgeId> edges = edgesAt(change.gone);
-  for (const EdgeId edge : edges) {
-    takeOver(edge, change);
+  const std::vector<Link> links = this->links(change.gone);
+  for (const Link &link : links) {
+    takeOver(link.edge, change);
   }
   make(NodeRemoved{change.gone});
   if (node(change.kept).name.empty()) {
@@ -218,24 +240,22 @@ void TopologicalMap::takeOver(EdgeId id, const NodesMerged &merge)
     return; // goes with the node
   }
   if (const std::optional<EdgeId> known = edgeIdBetween(merge.kept, third)) {
-    Edge &stays = m_edges.at(*known);
+    Edge stays = edge(*known);
     stays.statistics = sum(stays.statistics, moved.statistics);
     stays.forbidden = stays.forbidden || moved.forbidden;
+    replace(stays);
     return; // goes with the node
   }
   std::optional<double> &bearing = goneIsA ? moved.bearingAtA : moved.bearingAtB;
   bearing = turned(bearing, merge.turn);
   (goneIsA ? moved.a : moved.b) = merge.kept;
-  unlink(merge.gone, third);
-  unlink(third, merge.gone);
-  link(merge.kept, third, id);
-  link(third, merge.kept, id);
-  m_edges.at(id) = moved;
+  replace(moved);
   for (Direction &direction : m_nodes.at(merge.kept).directions) {
     if (bearing && direction.state == DirectionState::Open &&
         std::abs(wrapAngle(direction.bearing - *bearing)) < kTakenOver) {
       direction.state = DirectionState::Driven;
       direction.reason = "leads to " + text(third);
+      --m_junctions.at(merge.kept).openDirections;
     }
   }
 }

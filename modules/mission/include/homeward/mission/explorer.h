@@ -72,8 +72,8 @@ struct ExplorerOptions
   bool relocates = true;  ///< look for a known place where a leg failed, else make a new one there
   int legTries = 4;       ///< failures after which an edge is planned over only when cut off, ...
   int rescueTries = 3;    ///< ... as often again each time; looks then for a place that leads on
-  EdgeCost cost = expectedMetres; ///< of the ways to the next open direction; countEdge: the seed's
-  int maxNodes = 400;             ///< a map that grows beyond is a fault, not a building
+  RouteCost cost = RouteCost::ExpectedMetres; ///< of ways to an open direction; Edges: the seed's
+  int maxNodes = 400; ///< a map that grows beyond is a fault, not a building
 
   /** Metres, one sigma, that a robot at a place may be off from where its node stands. */
   double placeSigma = 0.5;

@@ -46,8 +46,8 @@ struct NavigatorState
 /** Settings of a navigation. */
 struct NavigatorOptions
 {
-  EdgeCost cost = expectedMetres; ///< of a way; countEdge: all edges are equal
-  int legTries = 4;               ///< failures after which an edge is never planned over again
+  RouteCost cost = RouteCost::ExpectedMetres; ///< of a way
+  int legTries = 4;  ///< failures after which an edge is never planned over again
   int maxLooks = 16; ///< times to find out anew where the robot is before it says "lost"
   double leastProbability = 0.2; ///< of a place, to drive there and make sure of it
   double vainFactor = 0.3;       ///< by which an approach in vain makes a place less probable

@@ -10,6 +10,16 @@
 namespace homeward
 {
 
+/** An edge as seen from one of its ends, with what planning asks of it. */
+struct Link
+{
+  NodeId to;
+  EdgeId edge;
+  double metres = 0.0; ///< expectedMetres() of the edge; infinite when it is forbidden
+
+  bool operator==(const Link &) const = default;
+};
+
 /**
  * The topological map: places, the ways between them, and the ways not tried yet. A value without
  * images or coordinates. It changes by apply() alone, so that it always holds:
@@ -20,7 +30,7 @@ namespace homeward
  * - a name is no number, has no control characters, and is that of one node;
  * - a settled direction stays as it is.
  *
- * A node, an edge and the neighbours of a node are found by index.
+ * A node, an edge and the links of a node are found by index.
  */
 class TopologicalMap
 {
@@ -57,11 +67,11 @@ public:
   /** The node that people mean by a number or a name; nothing when there is none. */
   std::optional<NodeId> find(std::string_view numberOrName) const;
 
-  /** The nodes one edge away, smallest id first. @throw LogicError when the node is unknown */
-  const std::vector<NodeId> &neighbours(NodeId id) const;
+  /** The edges at a node, by the id of the other end. @throw LogicError when it is unknown */
+  const std::vector<Link> &links(NodeId id) const { return junction(id).links; }
 
-  /** The edges to neighbours(), in the same order. @throw LogicError when the node is unknown */
-  const std::vector<EdgeId> &edgesAt(NodeId id) const;
+  /** The other ends of links(). @throw LogicError when the node is unknown */
+  std::vector<NodeId> neighbours(NodeId id) const;
 
   /** The edge that joins two nodes, given either way round. @throw LogicError for unknown nodes */
   std::optional<Edge> edgeBetween(NodeId a, NodeId b) const;
@@ -74,7 +84,7 @@ public:
   std::optional<double> departureBearing(NodeId from, NodeId to) const;
 
   /** Whether the node has a direction that nobody has driven. @throw LogicError when unknown */
-  bool hasOpenDirection(NodeId id) const;
+  bool hasOpenDirection(NodeId id) const { return junction(id).openDirections > 0; }
 
   /** Number of open directions of the whole map. */
   int openDirectionCount() const;
@@ -88,13 +98,13 @@ public:
   bool operator==(const TopologicalMap &) const = default;
 
 private:
-  /** What leaves a node; sorted by neighbour. */
-  struct Ways
+  /** What planning asks of a node: all of it here, so that it need not look at nodes and edges. */
+  struct Junction
   {
-    std::vector<NodeId> neighbours = {};
-    std::vector<EdgeId> edges = {};
+    int openDirections = 0;
+    std::vector<Link> links = {}; ///< sorted by the other end
 
-    bool operator==(const Ways &) const = default;
+    bool operator==(const Junction &) const = default;
   };
 
   void make(const NodeAdded &change);
@@ -110,15 +120,17 @@ private:
   void checkName(NodeId id, const std::string &name) const;
   void checkEnds(const Edge &edge) const;
   void rename(NodeId id, const std::string &name);
-  const Ways &ways(NodeId id) const;
+  const Junction &junction(NodeId id) const;
   std::optional<EdgeId> edgeIdBetween(NodeId a, NodeId b) const;
-  void link(NodeId from, NodeId to, EdgeId edge);
-  void unlink(NodeId from, NodeId to);
+  void link(EdgeId id);
+  void unlink(EdgeId id);
+  void replace(const Edge &edge);
+  static std::vector<Link>::const_iterator place(const std::vector<Link> &links, NodeId to);
   void takeOver(EdgeId id, const NodesMerged &merge);
 
   IdMap<NodeId, Node> m_nodes;
   IdMap<EdgeId, Edge> m_edges;
-  IdMap<NodeId, Ways> m_ways;
+  IdMap<NodeId, Junction> m_junctions;
   std::map<std::string, NodeId, std::less<>> m_named;
 };
 

@@ -78,6 +78,16 @@ struct Edge
   bool operator==(const Edge &) const = default;
 };
 
+/**
+ * The metres one must expect to drive along an edge until it is behind the robot: its length (2 m
+ * where that is unknown, 0.1 m at least) times the tries it takes,
+ *
+ *     (tries + 1) / (successes + 1),
+ *
+ * 1000 km at most.
+ */
+double expectedMetres(const Edge &edge);
+
 /** A place is added; its id is TopologicalMap::nextNodeId(), its directions' ids count from 0. */
 struct NodeAdded
 {
