@@ -32,6 +32,7 @@ struct NavigateArguments
   std::int64_t from = -1;
   std::string homing = "minwarping";
   double maxTime = 3600.0;
+  bool refresh = false;
   bool verbose = false;
   std::string json;
 };
@@ -79,11 +80,13 @@ struct Visits
   std::deque<Visit> kept;
   int tried = 0;
   int reached = 0;
+  int refreshed = 0; ///< pictures
 
   void add(const Visit &visit)
   {
     ++tried;
     reached += visit.report.outcome == Outcome::Done ? 1 : 0;
+    refreshed += visit.report.refreshed ? 1 : 0;
     kept.push_back(visit);
     if (kept.size() > kKept) {
       kept.pop_front();
@@ -116,7 +119,8 @@ nlohmann::json visitJson(const Visit &visit, const TopologicalMap &map)
                       {"outcome", name(visit.report.outcome)},
                       {"reason", visit.report.reason},
                       {"sim_time_s", visit.report.seconds},
-                      {"path", pathJson(visit.report, map)}};
+                      {"path", pathJson(visit.report, map)},
+                      {"refreshed", visit.report.refreshed}};
   if (visit.goal->shown) {
     json["node"] = visit.goal->shown->node.value;
     json["probability"] = visit.goal->shown->probability;
@@ -132,8 +136,9 @@ nlohmann::json visitJson(const Visit &visit, const TopologicalMap &map)
 
 void print(const Visit &visit)
 {
-  std::printf("%s: %s, robot time %.0f s\n", name(visit.report.outcome),
-              visit.report.reason.c_str(), visit.report.seconds);
+  std::printf("%s: %s, robot time %.0f s%s\n", name(visit.report.outcome),
+              visit.report.reason.c_str(), visit.report.seconds,
+              visit.report.refreshed ? ", picture refreshed" : "");
   if (visit.place && visit.robot) {
     const nlohmann::json truth = truthJson(visit);
     std::printf("truth: %.2f m and %.0f degrees from where the node was made\n",
@@ -207,6 +212,7 @@ nlohmann::json summary(const Visits &visits, const Finish &finish, const Topolog
   }
   json["goals_tried"] = visits.tried;
   json["goals_reached"] = visits.reached;
+  json["refreshed"] = visits.refreshed;
   const Visit &last = visits.kept.back();
   if (last.place && last.robot) {
     json["truth"] = truthJson(last);
@@ -221,7 +227,8 @@ nlohmann::json summary(const Visits &visits, const Finish &finish, const Topolog
 int navigate(const NavigateArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
-  const MapFile file = MapFile::open(arguments.map, MapFile::Access::Read);
+  MapFile file = MapFile::open(arguments.map, arguments.refresh ? MapFile::Access::ReadWrite
+                                                                : MapFile::Access::Read);
   const std::vector<GoalWord> words = parseGoals(arguments.to, file);
   if (arguments.from >= 0) {
     requireNode(file, arguments.from);
@@ -242,7 +249,7 @@ int navigate(const NavigateArguments &arguments)
       std::printf("  # %.1f s %s\n", seconds(), line.c_str());
     };
   }
-  Navigation navigation(file, pilot, clock);
+  Navigation navigation(file, pilot, clock, arguments.refresh ? &file : nullptr);
   navigation.onStep = [&](const Step<NavigatorState> &step) {
     endProgress();
     for (const std::string &line : step.log) {
@@ -260,6 +267,9 @@ int navigate(const NavigateArguments &arguments)
   if (patrol) {
     std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
                 seconds());
+  }
+  if (arguments.refresh) {
+    std::printf("%d pictures refreshed\n", visits.refreshed);
   }
   nlohmann::json json = summary(visits, finish, file.map(), *robot);
   json["sim_time_s"] = seconds();
@@ -296,6 +306,8 @@ void addNavigateCommand(CliCommand app)
               "Seconds of robot time after which a goal is given up")
       .positive()
       .showDefault();
+  command.flag("--refresh", arguments->refresh,
+               "Keep how ways went, and new pictures of goals that look otherwise now, in the map");
   command.flag("--verbose", arguments->verbose, "Print every decision");
   command.json(arguments->json, "a summary");
   command.run([arguments] { return navigate(*arguments); });

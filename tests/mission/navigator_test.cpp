@@ -182,6 +182,87 @@ TEST_F(NavigatorTest, CallsPlacesAsPeopleDo)
   EXPECT_EQ(navigate(NodeId{3}).reason, "arrived at kitchen");
 }
 
+/** Drives from node 0 to its neighbour 1, a metre east of it. */
+struct RefreshTest : NavigatorTest
+{
+  /** What is refreshed when this is the answer to the last leg. */
+  std::vector<NodeId> refreshedAfter(const Homed &report, NodeId goal = NodeId{1})
+  {
+    const Navigator navigator(options);
+    auto step = navigator.start(map, goal, report.chord.distance > 0.0 ? NodeId{0} : NodeId{1});
+    step = navigator.next(step.state, map, Homed{HomingEnd::Arrived, {}});
+    asked = std::get<HomeTo>(step.command).seeAnew;
+    step = navigator.next(step.state, map, report);
+    return step.refreshes;
+  }
+
+  static Homed arrival(const SeenAnew &seen)
+  {
+    return {HomingEnd::Arrived, {1.1, 1.2, 0.1, -3.0}, 5.0, 9.0, seen};
+  }
+
+  static constexpr SeenAnew kChanged{0.999, true, 0.4};
+
+  NavigatorOptions options{.refresh = {.wanted = true}};
+  bool asked = false; ///< to see the goal anew
+};
+
+TEST_F(RefreshTest, AGoalThatNoLongerLooksAsItDidGetsANewPicture)
+{
+  EXPECT_EQ(refreshedAfter(arrival(kChanged)), std::vector<NodeId>{NodeId{1}});
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(RefreshTest, NobodyAskedNothingIsRefreshed)
+{
+  options.refresh.wanted = false;
+  EXPECT_TRUE(refreshedAfter(arrival(kChanged)).empty());
+  EXPECT_FALSE(asked);
+}
+
+TEST_F(RefreshTest, APlaceThatLooksAsItDidKeepsItsPicture)
+{
+  EXPECT_TRUE(refreshedAfter(arrival({0.999, true, 0.1})).empty());
+}
+
+TEST_F(RefreshTest, NothingIsOverwrittenByWhatMayBeAPlaceThatLooksAlike)
+{
+  EXPECT_TRUE(refreshedAfter(arrival({0.9, true, 0.4})).empty());
+  EXPECT_TRUE(refreshedAfter(arrival({0.999, false, 0.4})).empty());
+}
+
+TEST_F(RefreshTest, NothingIsOverwrittenWhereTheWayDoesNotLead)
+{
+  Homed report = arrival(kChanged);
+  report.chord.distance = 2.0;
+  EXPECT_TRUE(refreshedAfter(report).empty());
+  report = arrival(kChanged);
+  report.chord.bearingAtOrigin = 1.0;
+  EXPECT_TRUE(refreshedAfter(report).empty());
+}
+
+TEST_F(RefreshTest, NothingIsOverwrittenWhereNobodyKnowsWhereTheWayLeads)
+{
+  Homed report = arrival(kChanged);
+  report.chord = {};
+  EXPECT_TRUE(refreshedAfter(report, NodeId{3}).empty());
+  EXPECT_TRUE(asked);
+}
+
+TEST_F(RefreshTest, NothingIsOverwrittenBeforeTheRobotIsThere)
+{
+  EXPECT_TRUE(refreshedAfter({HomingEnd::Arrived, {1.0, 1.0, 0.0, kPi}}).empty());
+  Homed report = arrival(kChanged);
+  report.end = HomingEnd::Lost;
+  EXPECT_TRUE(refreshedAfter(report).empty());
+}
+
+TEST_F(RefreshTest, OnlyTheGoalIsSeenAnew)
+{
+  refreshedAfter(arrival(kChanged), NodeId{2});
+  EXPECT_FALSE(asked);
+}
+
 /** The robot was put down where no node is; some of the world is drawn above each test. */
 struct PutDownTest : NavigatorTest
 {

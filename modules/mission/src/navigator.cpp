@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <set>
 
 namespace homeward
@@ -170,6 +171,10 @@ public:
       state.lastTry = false;
     }
     m_step.log.push_back(explorationLine("Navigation", from, target, std::nullopt));
+    if (outdated(report, wayTo(target))) {
+      m_step.refreshes.push_back(target);
+      m_step.log.push_back("REFRESHED " + std::to_string(target.value) + " -");
+    }
     state.route.erase(state.route.begin());
     stand(target);
     if (state.route.empty()) {
@@ -347,13 +352,32 @@ private:
     NavigatorState &state = m_step.state;
     state.phase = Phase::Following;
     HomeTo leg{state.route.front(), departure, state.route.size() == 1};
-    const std::optional<double> bearing = m_map.departureBearing(*state.here, state.route.front());
-    const std::optional<Edge> edge = m_map.edgeBetween(*state.here, state.route.front());
-    if (bearing && edge->length) {
-      leg.way = Way{*bearing, *edge->length};
-      leg.direct = true;
-    }
+    leg.way = wayTo(state.route.front());
+    leg.direct = leg.way.has_value();
+    leg.seeAnew = leg.exactly && m_options.refresh.wanted;
     m_step.command = leg;
+  }
+
+  /** From the node left, where the map knows it. */
+  std::optional<Way> wayTo(NodeId node) const
+  {
+    const std::optional<double> bearing = m_map.departureBearing(*m_step.state.here, node);
+    const std::optional<Edge> edge = m_map.edgeBetween(*m_step.state.here, node);
+    return bearing && edge->length ? std::optional(Way{*bearing, *edge->length}) : std::nullopt;
+  }
+
+  /** Whether the picture of a place that was come to no longer shows it as it is. */
+  bool outdated(const Homed &report, const std::optional<Way> &way) const
+  {
+    const RefreshOptions &options = m_options.refresh;
+    if (!options.wanted || !way || !report.seen) {
+      return false;
+    }
+    const std::complex<double> off =
+        std::polar(report.chord.distance, report.chord.bearingAtOrigin) -
+        std::polar(way->distance, way->bearing);
+    return std::abs(off) <= options.farthest && report.seen->likeliest &&
+           report.seen->sure >= options.leastSure && report.seen->change >= options.leastChange;
   }
 
   const NavigatorOptions &m_options;

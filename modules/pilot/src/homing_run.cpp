@@ -47,7 +47,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly,
   m_startTravelled = m_motion.travelled();
   const auto ends = [this](HomingEnd end) {
     m_motion.stop();
-    return Result{end, placeHeading()};
+    return Result{end, placeHeading(), false};
   };
   while (true) {
     m_motion.tick();
@@ -101,7 +101,7 @@ HomingRun::Result HomingRun::comeCloser()
     align();
   }
   m_motion.stop();
-  return {HomingEnd::Arrived, placeHeading()};
+  return {HomingEnd::Arrived, placeHeading(), m_aligned && settled()};
 }
 
 void HomingRun::perceive()

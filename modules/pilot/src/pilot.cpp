@@ -2,6 +2,7 @@
 #include <homeward/pilot/pilot.h>
 
 #include <homeward/camera/rim.h>
+#include <homeward/camera/turned.h>
 #include <homeward/core/error.h>
 #include <homeward/laser/half_scans.h>
 
@@ -128,11 +129,26 @@ Chord Pilot::chordTo(const Pose2 &oMplace) const
 
 void Pilot::remember(NodeId node, const Panorama &panorama)
 {
+  if (m_places.knows(node)) {
+    m_places.replace(node, panorama);
+    return;
+  }
   m_places.add(node, panorama);
   if (m_surveyed) {
     m_place = node;
     m_surveyed = false;
   }
+}
+
+std::optional<SeenAnew> Pilot::seeAnew(NodeId node)
+{
+  const Panorama current = look();
+  const auto home = MinWarping(kThoroughWarping).compute(current, m_places.snapshot(node));
+  if (overExposed(current.image) || !home) {
+    return std::nullopt;
+  }
+  m_view = turned(current, -home->headingChange);
+  return m_places.seeAnew(node, current);
 }
 
 void Pilot::standAt(std::optional<NodeId> node, const Pose2 &oMplace, double turned)
@@ -289,7 +305,10 @@ Report Pilot::run(const HomeTo &command)
   }
   const Pose2 oMplace{m_motion.pose().x, m_motion.pose().y, result.oPlaceHeading};
   const Time end = m_motion.devices().clock.now();
-  const Homed report{result.end, chordTo(oMplace), toSeconds(end - begin), toSeconds(end)};
+  Homed report{result.end, chordTo(oMplace), toSeconds(end - begin), toSeconds(end)};
+  if (command.seeAnew && result.end == HomingEnd::Arrived && result.settled) {
+    report.seen = seeAnew(command.node);
+  }
   if (trace) {
     char text[80];
     std::snprintf(text, sizeof text, "home to %lld: %s after %.1f m",
@@ -298,6 +317,11 @@ Report Pilot::run(const HomeTo &command)
     std::string line = text;
     if (sure) {
       std::snprintf(text, sizeof text, ", sure %.3f", *sure);
+      line += text;
+    }
+    if (report.seen) {
+      std::snprintf(text, sizeof text, ", seen anew: sure %.3f%s, change %.3f", report.seen->sure,
+                    report.seen->likeliest ? "" : ", not the likeliest", report.seen->change);
       line += text;
     }
     trace(line);

@@ -51,6 +51,14 @@ void PlaceMemory::add(NodeId node, const Panorama &panorama)
   m_places.emplace(node, std::move(place));
 }
 
+void PlaceMemory::replace(NodeId node, const Panorama &panorama)
+{
+  place(node); // it is known
+  m_index.remove(node);
+  m_places.erase(node);
+  add(node, panorama);
+}
+
 const Signature &PlaceMemory::proposing(const WarpingVerifier::View &view) const
 {
   return m_options.recognition == Recognition::Verified ? view.edges : view.histogram;
@@ -76,6 +84,14 @@ double PlaceMemory::standingAt(NodeId node, const Panorama &current) const
   return m_options.recognition == Recognition::Histogram
              ? 1.0
              : standingThereProbability(m_verifier.compare(m_verifier.prepare(current), view));
+}
+
+SeenAnew PlaceMemory::seeAnew(NodeId node, const Panorama &current) const
+{
+  const Signature edges = makeSignature(current, SignatureKind::AlignedEdges);
+  const std::vector<PlaceMatch> matches = recognise(current);
+  return {standingAt(node, current), !matches.empty() && matches.front().node == node,
+          dissimilarity(edges, place(node).view.edges)};
 }
 
 std::vector<PlaceMatch> PlaceMemory::recognise(const Panorama &current) const

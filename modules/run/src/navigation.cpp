@@ -7,8 +7,34 @@
 namespace homeward
 {
 
-Navigation::Navigation(const MapFile &file, Pilot &pilot, const Clock &clock)
-    : m_map(file.map()), m_pilot(pilot), m_clock(clock)
+namespace
+{
+
+/** A navigator whose steps change nothing but what a map file knows: it has no goals of pictures.
+ */
+struct KeptNavigator
+{
+  using State = NavigatorState;
+
+  Step<State> next(const State &state, const TopologicalMap &map, const Report &report) const
+  {
+    Step<State> step = navigator.next(state, map, report);
+    std::erase_if(step.changes, [this](const MapChange &change) {
+      const auto *tried = std::get_if<EdgeTried>(&change);
+      return tried != nullptr && !kept.edges().contains(tried->edge);
+    });
+    std::erase_if(step.refreshes, [this](NodeId node) { return !kept.contains(node); });
+    return step;
+  }
+
+  Navigator navigator;
+  const TopologicalMap &kept;
+};
+
+} // namespace
+
+Navigation::Navigation(const MapFile &file, Pilot &pilot, const Clock &clock, MapFile *kept)
+    : m_map(file.map()), m_kept(kept), m_pilot(pilot), m_clock(clock)
 {
   rememberAll(file, pilot);
 }
@@ -39,14 +65,20 @@ GoalReport Navigation::driveTo(NodeId goal, double maxSeconds)
   const auto noteStep = [&](const Step<NavigatorState> &step) {
     m_left = step.state.here;
     report.path = step.state.visited;
+    report.refreshed = report.refreshed || !step.refreshes.empty();
+    if (m_kept != nullptr) {
+      std::for_each(step.changes.begin(), step.changes.end(),
+                    [this](const MapChange &change) { m_map.apply(change); });
+    }
     if (onStep) {
       onStep(step);
     }
   };
-  const Navigator navigator({});
+  const KeptNavigator mission{Navigator({.refresh = {.wanted = m_kept != nullptr}}),
+                              m_kept != nullptr ? m_kept->map() : m_map};
   MissionCounts counts;
-  const Finish finish = runMission(navigator, navigator.start(m_map, goal, m_left), m_pilot, m_map,
-                                   nullptr, m_clock, counts, enough, noteStep);
+  const Finish finish = runMission(mission, mission.navigator.start(m_map, goal, m_left), m_pilot,
+                                   m_map, m_kept, m_clock, counts, enough, noteStep);
   report.seconds = seconds();
   report.outcome = finish.outcome;
   report.reason = finish.reason;

@@ -15,7 +15,7 @@ void MissionCounts::note(const Report &report)
 }
 
 MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
-                   const Panorama &view, Time now)
+                   const std::vector<NodeId> &refreshes, const Panorama &view, Time now)
 {
   MapUpdate update;
   update.changes = changes;
@@ -26,6 +26,9 @@ MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std:
     if (const auto *added = std::get_if<NodeAdded>(&change)) {
       update.view = NewView{added->node.id, encodeView(view)};
     }
+  }
+  for (const NodeId node : refreshes) {
+    update.refreshes.push_back({node, encodeView(view)});
   }
   return update;
 }

@@ -43,6 +43,15 @@ struct NavigatorState
   bool surveyed = false; ///< since it stood at a place
 };
 
+/** When the picture of a place gives way to a newer one. */
+struct RefreshOptions
+{
+  bool wanted = false;
+  double leastSure = 0.99;  ///< probability of standing at the place
+  double leastChange = 0.2; ///< SeenAnew::change of views that one in the same light never has
+  double farthest = 0.6;    ///< metres from where the way says, beyond which it is another place
+};
+
 /** Settings of a navigation. */
 struct NavigatorOptions
 {
@@ -54,6 +63,7 @@ struct NavigatorOptions
   double approachSeconds = 25.0; ///< after which an approach is given up
   double searchDistance = 0.8;   ///< metres driven before looking again
   double shortestSearch = 0.3;   ///< metres; the view from nearer by is the same
+  RefreshOptions refresh = {};   ///< of the pictures of goals
 };
 
 // clang-format off
@@ -78,6 +88,10 @@ struct NavigatorOptions
  * Places look alike, and from a metre away the right one does not look sure. So an unlikely place is
  * driven to as well, and it is believed in when sight there makes sure of it. Only of the node left
  * and its neighbours it need not: the ways say already that the robot can be there.
+ *
+ * Where it is wanted, a goal gets a new picture when the old one no longer shows the place as it is:
+ * the robot has come along an edge to where the map has the goal, sight is sure that it is the goal
+ * and no other place, and yet the views differ.
  */
 // clang-format on
 class Navigator

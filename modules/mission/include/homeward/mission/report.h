@@ -5,6 +5,7 @@
 #include <homeward/laser/open_directions.h>
 
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -65,6 +66,14 @@ enum class HomingEnd
 /** As people read it: "arrived", "timed out". */
 const char *name(HomingEnd end);
 
+/** What the view from a place says of the picture that is stored of it. */
+struct SeenAnew
+{
+  double sure = 0.0;      ///< probability that it is the place, not one that looks alike
+  bool likeliest = false; ///< no other known place is likelier
+  double change = 0.0;    ///< how much the edges differ, 0 (not at all) to 1
+};
+
 /** Answer to HomeTo. */
 struct Homed
 {
@@ -72,6 +81,8 @@ struct Homed
   Chord chord;
   double seconds = 0.0; ///< it took, by the robot's clock
   double time = 0.0;    ///< when it ended, seconds, by the robot's clock
+  /** Of HomeTo::seeAnew, when sight says that the robot stands within centimetres of the place. */
+  std::optional<SeenAnew> seen = std::nullopt;
 };
 
 /** Somebody asked the robot to stop; it stands. */

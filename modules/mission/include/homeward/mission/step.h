@@ -20,6 +20,7 @@ template <class State> struct Step
   Command command;
   std::vector<MapChange> changes;
   std::vector<std::string> log; ///< lines of the seed's tables, "State | Node | Dissimilarity"
+  std::vector<NodeId> refreshes = {}; ///< nodes to be known by what was seen anew there from now on
 };
 
 } // namespace homeward

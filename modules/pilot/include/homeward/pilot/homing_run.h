@@ -67,6 +67,7 @@ public:
   {
     HomingEnd end = HomingEnd::Lost;
     double oPlaceHeading = 0.0;
+    bool settled = false; ///< within settledProxy of the place, turned as it was seen
   };
 
   HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look);

@@ -49,13 +49,19 @@ public:
    * gone */
   Report execute(const Command &command);
 
-  /** The panorama taken by the last Survey, gray. */
+  /**
+   * The panorama taken by the last Survey, gray; or since then by a homing that has seen the place
+   * anew, turned to the place's stored heading.
+   */
   const Panorama &view() const { return m_view; }
 
   /** Metres driven so far, by odometry. */
   double travelled() const { return m_motion.travelled(); }
 
-  /** Makes a node known by sight. @param panorama as decoded from the map file */
+  /**
+   * Makes a node known by sight, by this picture instead of an older one.
+   * @param panorama as decoded from the map file
+   */
   void remember(NodeId node, const Panorama &panorama);
 
   /** Which known places a picture may show, best first. @param panorama gray */
@@ -82,6 +88,10 @@ private:
   /** A camera that has shifted under its mirror shows it in its first pictures. */
   void followCamera(const cv::Mat &picture);
   Scan scanAllRound(const Pose2 &oMr);
+
+  /** What sight says at a place where the robot has settled; its view is kept, if it can be turned.
+   */
+  std::optional<SeenAnew> seeAnew(NodeId node);
 
   /** Turns get lost on the wheels: the view tells again how the robot stands to the place left. */
   void alignWithPlace();

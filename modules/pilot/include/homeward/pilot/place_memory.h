@@ -62,6 +62,9 @@ public:
   /** @throw LogicError when the node is known already */
   void add(NodeId node, const Panorama &panorama);
 
+  /** The place is known by another picture from now on. @throw LogicError for an unknown node */
+  void replace(NodeId node, const Panorama &panorama);
+
   bool knows(NodeId node) const { return m_places.contains(node); }
 
   /** @throw LogicError for an unknown node */
@@ -76,6 +79,9 @@ public:
    * @throw LogicError for an unknown node
    */
   double standingAt(NodeId node, const Panorama &current) const;
+
+  /** Compares the place with a view from there. @throw LogicError for an unknown node */
+  SeenAnew seeAnew(NodeId node, const Panorama &current) const;
 
 private:
   struct Place

@@ -20,6 +20,7 @@ struct GoalReport
   std::string reason;
   std::vector<NodeId> path; ///< nodes stood at, in order
   double seconds = 0.0;     ///< of robot time
+  bool refreshed = false;   ///< the goal has a new picture
 };
 
 /**
@@ -32,8 +33,10 @@ public:
   /**
    * Makes the places of the map known to the pilot, which outlives the navigation as the clock
    * does.
+   * @param kept the same file, open for writing, where the drives are to make the map better: how
+   * legs went, and newer pictures of goals that no longer look as they did; null: nothing is kept
    */
-  Navigation(const MapFile &file, Pilot &pilot, const Clock &clock);
+  Navigation(const MapFile &file, Pilot &pilot, const Clock &clock, MapFile *kept = nullptr);
 
   /** The map, with a node for each picture that was added. */
   const TopologicalMap &map() const { return m_map; }
@@ -59,6 +62,7 @@ public:
 
 private:
   TopologicalMap m_map;
+  MapFile *m_kept;
   Pilot &m_pilot;
   const Clock &m_clock;
   std::optional<NodeId> m_left; ///< the node stood at last

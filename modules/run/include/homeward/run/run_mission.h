@@ -42,15 +42,16 @@ inline std::map<std::string, std::string> keptValues(const ExplorerState &state)
 
 /**
  * What a step puts into the map file.
- * @param view of the place surveyed last, which a new node is seen by
+ * @param refreshes nodes that are seen by another view from now on
+ * @param view the pilot's, which a new node or a refreshed one is seen by
  * @param now robot time of the log lines
  */
 MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std::string> &log,
-                   const Panorama &view, Time now);
+                   const std::vector<NodeId> &refreshes, const Panorama &view, Time now);
 
 /**
- * Puts a step into the map file, in one transaction: changes, the new node's view, log lines and
- * the mission's state. Then the new node is known to the pilot, by the picture as stored.
+ * Puts a step into the map file, in one transaction: changes, the new node's view, newer views, log
+ * lines and the mission's state. Then the pilot knows these nodes by the pictures as stored.
  *
  * Every step is written once the map has a place, also one that changes nothing: what it learnt (a
  * leg that failed, a drive that led nowhere) must not be learnt again after a crash, steps are
@@ -60,13 +61,16 @@ MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std:
 template <class State, class AnyPilot>
 void keepStep(const Step<State> &step, AnyPilot &pilot, MapFile *file, Time now)
 {
-  MapUpdate update = updateOf(step.changes, step.log, pilot.view(), now);
+  MapUpdate update = updateOf(step.changes, step.log, step.refreshes, pilot.view(), now);
   if (file != nullptr && (!file->map().nodes().empty() || !step.changes.empty())) {
     update.values = keptValues(step.state);
     file->append(update);
   }
   if (update.view) {
     pilot.remember(update.view->node, decodeView(update.view->bytes, pilot.view().geometry));
+  }
+  for (const NewView &newer : update.refreshes) {
+    pilot.remember(newer.node, decodeView(newer.bytes, pilot.view().geometry));
   }
 }
 
