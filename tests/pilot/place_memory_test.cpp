@@ -68,6 +68,24 @@ TEST(PlaceMemory, aPlaceIsKnownOnce)
   places.add(NodeId{0}, viewFrom(0.0));
   EXPECT_THROW(places.add(NodeId{0}, viewFrom(0.0)), LogicError);
   EXPECT_THROW(places.snapshot(NodeId{1}), LogicError);
+  EXPECT_THROW(places.replace(NodeId{1}, viewFrom(0.0)), LogicError);
+}
+
+TEST(PlaceMemory, aPlaceIsKnownByItsNewestPictureAlone)
+{
+  PlaceMemory places({});
+  places.add(NodeId{0}, viewFrom(0.0));
+  places.add(NodeId{1}, viewFrom(1.5));
+  const Panorama newer = viewFrom(-1.5);
+  EXPECT_GT(places.seeAnew(NodeId{0}, newer).change, 0.1);
+  places.replace(NodeId{0}, newer);
+  EXPECT_EQ(places.snapshot(NodeId{0}).image.data, newer.image.data);
+  const SeenAnew seen = places.seeAnew(NodeId{0}, newer);
+  EXPECT_TRUE(seen.likeliest);
+  EXPECT_GT(seen.sure, 0.99);
+  EXPECT_LT(seen.change, 0.01);
+  EXPECT_FALSE(places.seeAnew(NodeId{1}, newer).likeliest);
+  EXPECT_EQ(places.recognise(newer).size(), 2U);
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 
 #include <homeward/run/navigation.h>
 #include <homeward/sim/simulator.h>
+#include <homeward/store/content_hash.h>
+#include <homeward/store/export.h>
 
 #include <gmock/gmock.h>
 
@@ -56,14 +58,16 @@ Scene bothWaysBarred()
 /** A robot in that world, or in one that has changed since the map was made. */
 struct Robot
 {
-  explicit Robot(Scene scene, const Pose2 &start = kPlaces.front())
-      : simulator(share(std::move(scene)), robot, camera, at(start))
+  explicit Robot(Scene scene, const Pose2 &start = kPlaces.front(),
+                 LightPreset light = LightPreset::Day)
+      : simulator(share(std::move(scene)), robot, camera, at(start, light))
   {}
 
-  static SimulatorOptions at(const Pose2 &start)
+  static SimulatorOptions at(const Pose2 &start, LightPreset light)
   {
     SimulatorOptions options;
     options.start = start;
+    options.light = light;
     return options;
   }
 
@@ -83,9 +87,9 @@ struct Robot
               stop};
 };
 
-Panorama viewFrom(const Pose2 &place)
+Panorama viewFrom(const Pose2 &place, Scene scene = laboratory())
 {
-  Robot robot(laboratory(), place);
+  Robot robot(std::move(scene), place);
   robot.pilot.execute(Survey{});
   return robot.pilot.view();
 }
@@ -215,6 +219,60 @@ TEST_F(NavigationTest, aStopEndsADrive)
   Navigation navigation(file, robot.pilot, robot.simulator.clock());
   robot.stop = true;
   EXPECT_EQ(navigation.driveTo(NodeId{2}, 300.0).outcome, Outcome::Stopped);
+}
+
+TEST_F(NavigationTest, aNightDriveRefreshesWhatWasSeenByDay)
+{
+  const ViewBytes byDay = file.view(NodeId{1});
+  const std::string before = exportCanonical(file);
+  {
+    Robot robot(laboratory(), kPlaces.front(), LightPreset::Night);
+    Navigation navigation(file, robot.pilot, robot.simulator.clock(), &file);
+    const GoalReport report = navigation.driveTo(NodeId{1}, 300.0);
+    EXPECT_EQ(report.outcome, Outcome::Done) << report.reason;
+    EXPECT_TRUE(report.refreshed);
+    EXPECT_FALSE(navigation.driveTo(NodeId{1}, 300.0).refreshed) << "it looks as it was just seen";
+  }
+  const ViewBytes byNight = file.view(NodeId{1});
+  EXPECT_NE(byNight, byDay);
+  const std::string hash = hashText(contentHash(byNight));
+  EXPECT_EQ(before.find(hash), std::string::npos);
+  EXPECT_NE(exportCanonical(file).find(hash), std::string::npos);
+  EXPECT_EQ(file.journal().size(), 0U);
+
+  Robot robot(laboratory(), kPlaces.front(), LightPreset::Night);
+  Navigation navigation(file, robot.pilot, robot.simulator.clock());
+  for (const NodeId goal : {NodeId{1}, NodeId{2}}) { // there, and on by the bearings from there
+    EXPECT_EQ(navigation.driveTo(goal, 300.0).outcome, Outcome::Done);
+    const Pose2 &place = kPlaces[static_cast<std::size_t>(goal.value)];
+    EXPECT_LT(robot.distanceTo(place), 0.1);
+    EXPECT_NEAR(wrapAngle(robot.simulator.truth().pose.heading - place.heading), 0.0, radians(2.0));
+  }
+}
+
+TEST_F(NavigationTest, inTheSameLightPicturesStayAndWaysAreKept)
+{
+  const ViewBytes before = file.view(NodeId{1});
+  Robot robot(laboratory());
+  Navigation navigation(file, robot.pilot, robot.simulator.clock(), &file);
+  EXPECT_FALSE(navigation.driveTo(NodeId{1}, 300.0).refreshed);
+  EXPECT_EQ(file.view(NodeId{1}), before);
+  const std::optional<Edge> edge = file.map().edgeBetween(NodeId{0}, NodeId{1});
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->statistics.successes, 1);
+  EXPECT_EQ(navigation.map(), file.map());
+}
+
+TEST_F(NavigationTest, ofAPictureThatIsAGoalNothingIsKept)
+{
+  const Pose2 taken{-0.7, 1.6, -2.0};
+  Robot robot(laboratory(), kPlaces.front(), LightPreset::Night);
+  Navigation navigation(file, robot.pilot, robot.simulator.clock(), &file);
+  ASSERT_TRUE(navigation.addPicture("photo.jpg", viewFrom(taken)));
+  const GoalReport report = navigation.driveTo(*navigation.map().find("photo.jpg"), 300.0);
+  EXPECT_EQ(report.outcome, Outcome::Done) << report.reason;
+  EXPECT_FALSE(report.refreshed);
+  EXPECT_EQ(file.map().nodes().size(), kPlaces.size());
 }
 
 } // namespace

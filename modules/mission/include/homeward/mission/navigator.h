@@ -47,9 +47,9 @@ struct NavigatorState
 struct RefreshOptions
 {
   bool wanted = false;
-  double leastSure = 0.99;  ///< probability of standing at the place
-  double leastChange = 0.2; ///< SeenAnew::change of views that one in the same light never has
-  double farthest = 0.6;    ///< metres from where the way says, beyond which it is another place
+  double leastSure = 0.99;   ///< probability of standing at the place
+  double leastChange = 0.15; ///< SeenAnew::change of views that one in the same light never has
+  double farthest = 0.6;     ///< metres from where the way says, beyond which it is another place
 };
 
 /** Settings of a navigation. */
