@@ -4,6 +4,7 @@
 #include "test_paths.h"
 #include "test_robot.h"
 
+#include <homeward/core/error.h>
 #include <homeward/run/navigation.h>
 #include <homeward/sim/simulator.h>
 #include <homeward/store/content_hash.h>
@@ -239,6 +240,7 @@ TEST_F(NavigationTest, aNightDriveRefreshesWhatWasSeenByDay)
   EXPECT_EQ(before.find(hash), std::string::npos);
   EXPECT_NE(exportCanonical(file).find(hash), std::string::npos);
   EXPECT_EQ(file.journal().size(), 0U);
+  EXPECT_EQ(refreshesOf(file, NodeId{1}), 1);
 
   Robot robot(laboratory(), kPlaces.front(), LightPreset::Night);
   Navigation navigation(file, robot.pilot, robot.simulator.clock());
@@ -248,6 +250,17 @@ TEST_F(NavigationTest, aNightDriveRefreshesWhatWasSeenByDay)
     EXPECT_LT(robot.distanceTo(place), 0.1);
     EXPECT_NEAR(wrapAngle(robot.simulator.truth().pose.heading - place.heading), 0.0, radians(2.0));
   }
+}
+
+TEST_F(NavigationTest, aPictureThatWasRefreshedOftenStaysSoThatItDoesNotCreepAway)
+{
+  file.append({.values = {refreshesValue(NodeId{1}, 4)}});
+  Robot robot(laboratory(), kPlaces.front(), LightPreset::Night);
+  Navigation navigation(file, robot.pilot, robot.simulator.clock(), &file);
+  EXPECT_FALSE(navigation.driveTo(NodeId{1}, 300.0).refreshed);
+  EXPECT_EQ(refreshesOf(file, NodeId{1}), 4);
+  file.append({.values = {{refreshesValue(NodeId{1}, 0).first, "four"}}});
+  EXPECT_THROW(refreshesOf(file, NodeId{1}), StoreError);
 }
 
 TEST_F(NavigationTest, inTheSameLightPicturesStayAndWaysAreKept)
@@ -273,6 +286,43 @@ TEST_F(NavigationTest, ofAPictureThatIsAGoalNothingIsKept)
   EXPECT_EQ(report.outcome, Outcome::Done) << report.reason;
   EXPECT_FALSE(report.refreshed);
   EXPECT_EQ(file.map().nodes().size(), kPlaces.size());
+}
+
+/** A hall whose bays, every 3 m from x = 1.5 m on, look alike. */
+Scene bays()
+{
+  Scene scene = makeRoom(18.0F, 5.0F);
+  for (int bay = 0; bay < 6; ++bay) {
+    const float x = 3.0F * static_cast<float>(bay);
+    addBox(scene, {x + 0.2F, 0.0F, 0.0F}, {x + 0.8F, 0.4F, 1.6F}, {0.6F, 0.1F, 0.1F});
+    addBox(scene, {x + 1.6F, 0.0F, 0.5F}, {x + 1.9F, 0.2F, 2.2F}, {0.1F, 0.1F, 0.5F});
+    addBox(scene, {x + 1.0F, 4.7F, 0.0F}, {x + 1.5F, 5.0F, 1.3F}, {0.1F, 0.4F, 0.1F});
+    addBox(scene, {x + 2.2F, 4.8F, 0.8F}, {x + 2.6F, 5.0F, 2.0F}, {0.7F, 0.7F, 0.2F});
+  }
+  return scene;
+}
+
+TEST(Refresh, aPlaceThatLooksAlikeDoesNotOverwriteAPlace)
+{
+  const Folder folder;
+  MapFile file = MapFile::create(folder / "map.hwm", {"", PilotOptions().panorama, "sad", 1, {}});
+  // The map has place 1 in the next bay; what looks like it is the bay after that.
+  const Pose2 left{6.0, 2.5, 0.0};
+  const std::vector<Pose2> seen{left, {10.5, 2.5, 0.0}};
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const NodeId node{static_cast<std::int64_t>(i)};
+    file.append({.changes = {NodeAdded{{node}}},
+                 .view = NewView{node, encodeView(viewFrom(seen[i], bays()))}});
+  }
+  file.append({.changes = {EdgeAdded{{EdgeId{0}, NodeId{0}, NodeId{1}, 0.0, -kPi, 1.5}}}});
+  const ViewBytes before = file.view(NodeId{1});
+  Robot robot(bays(), left);
+  Navigation navigation(file, robot.pilot, robot.simulator.clock(), &file);
+  const GoalReport report = navigation.driveTo(NodeId{1}, 300.0);
+  EXPECT_EQ(report.outcome, Outcome::Done) << report.reason;
+  EXPECT_LT(robot.distanceTo(seen[1]), 0.1) << "it took the one for the other";
+  EXPECT_FALSE(report.refreshed);
+  EXPECT_EQ(file.view(NodeId{1}), before);
 }
 
 } // namespace

@@ -173,7 +173,6 @@ public:
     m_step.log.push_back(explorationLine("Navigation", from, target, std::nullopt));
     if (outdated(report, wayTo(target))) {
       m_step.refreshes.push_back(target);
-      m_step.log.push_back("REFRESHED " + std::to_string(target.value) + " -");
     }
     state.route.erase(state.route.begin());
     stand(target);

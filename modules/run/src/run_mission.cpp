@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/run/run_mission.h>
 
+#include <homeward/core/error.h>
+
+#include <charconv>
 #include <variant>
 
 namespace homeward
@@ -12,6 +15,27 @@ void MissionCounts::note(const Report &report)
     ++homingsTried;
     homingsArrived += homed->end == HomingEnd::Arrived ? 1 : 0;
   }
+}
+
+int refreshesOf(const MapFile &file, NodeId node)
+{
+  const std::optional<std::string> value = file.value(refreshesValue(node, 0).first);
+  if (!value) {
+    return 0;
+  }
+  int refreshes = 0;
+  const char *end = value->data() + value->size();
+  if (std::from_chars(value->data(), end, refreshes).ptr != end) {
+    throw StoreError(file.path().string() + ": '" + *value +
+                     "' is no number of refreshes of node " + std::to_string(node.value) +
+                     "; take an older copy of the map");
+  }
+  return refreshes;
+}
+
+std::pair<std::string, std::string> refreshesValue(NodeId node, int refreshes)
+{
+  return {"refreshes " + std::to_string(node.value), std::to_string(refreshes)};
 }
 
 MapUpdate updateOf(const std::vector<MapChange> &changes, const std::vector<std::string> &log,

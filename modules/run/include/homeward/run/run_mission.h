@@ -28,6 +28,15 @@ template <class AnyPilot> void rememberAll(const MapFile &file, AnyPilot &pilot)
   }
 }
 
+/**
+ * How many times a map file's picture of a node was refreshed: each was taken some centimetres off
+ * the one before. @throw StoreError when the file's value is none
+ */
+int refreshesOf(const MapFile &file, NodeId node);
+
+/** The value of a map file that says so from now on, see MapUpdate::values. */
+std::pair<std::string, std::string> refreshesValue(NodeId node, int refreshes);
+
 /** What a mission keeps of its state in the map file; nothing of one that makes no map. */
 template <class State> std::map<std::string, std::string> keptValues(const State & /*state*/)
 {
@@ -64,6 +73,9 @@ void keepStep(const Step<State> &step, AnyPilot &pilot, MapFile *file, Time now)
   MapUpdate update = updateOf(step.changes, step.log, step.refreshes, pilot.view(), now);
   if (file != nullptr && (!file->map().nodes().empty() || !step.changes.empty())) {
     update.values = keptValues(step.state);
+    for (const NodeId node : step.refreshes) {
+      update.values.insert(refreshesValue(node, refreshesOf(*file, node) + 1));
+    }
     file->append(update);
   }
   if (update.view) {
