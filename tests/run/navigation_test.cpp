@@ -254,11 +254,11 @@ TEST_F(NavigationTest, aNightDriveRefreshesWhatWasSeenByDay)
 
 TEST_F(NavigationTest, aPictureThatWasRefreshedOftenStaysSoThatItDoesNotCreepAway)
 {
-  file.append({.values = {refreshesValue(NodeId{1}, 4)}});
+  file.append({.values = {refreshesValue(NodeId{1}, 3)}});
   Robot robot(laboratory(), kPlaces.front(), LightPreset::Night);
   Navigation navigation(file, robot.pilot, robot.simulator.clock(), &file);
   EXPECT_FALSE(navigation.driveTo(NodeId{1}, 300.0).refreshed);
-  EXPECT_EQ(refreshesOf(file, NodeId{1}), 4);
+  EXPECT_EQ(refreshesOf(file, NodeId{1}), 3);
   file.append({.values = {{refreshesValue(NodeId{1}, 0).first, "four"}}});
   EXPECT_THROW(refreshesOf(file, NodeId{1}), StoreError);
 }

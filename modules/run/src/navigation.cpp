@@ -12,9 +12,9 @@ namespace
 
 /**
  * Pictures are taken 2 cm off the ones before, on average, and the errors add up as a random walk's
- * do: as many leave a picture 4 cm off.
+ * do: as many leave a picture 4 cm off on average.
  */
-constexpr int kMostRefreshes = 4;
+constexpr int kMostRefreshes = 3;
 
 /** The navigator, as far as a map file can keep what it decides. */
 struct KeptNavigator
