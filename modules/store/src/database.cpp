@@ -242,4 +242,21 @@ void Transaction::commit()
   m_database = nullptr;
 }
 
+MayWrite::MayWrite(Database &database)
+    : m_database(database), m_banned(database.integer("PRAGMA query_only") != 0)
+{
+  m_database.execute("PRAGMA query_only = OFF");
+}
+
+MayWrite::~MayWrite()
+{
+  try {
+    if (m_banned) {
+      m_database.execute("PRAGMA query_only = ON");
+    }
+  }
+  catch (const std::exception &) { // NOLINT(bugprone-empty-catch): nobody could be told
+  }
+}
+
 } // namespace homeward

@@ -117,4 +117,18 @@ private:
   Database *m_database;
 };
 
+/** Lifts a reader's ban on writing while it lives: SQLite's holds for other files too. */
+class MayWrite
+{
+public:
+  explicit MayWrite(Database &database);
+  ~MayWrite();
+  MayWrite(const MayWrite &) = delete;
+  MayWrite &operator=(const MayWrite &) = delete;
+
+private:
+  Database &m_database;
+  bool m_banned;
+};
+
 } // namespace homeward

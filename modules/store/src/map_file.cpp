@@ -156,9 +156,12 @@ MapFile MapFile::copyOf(const MapFile &original, const fs::path &path, IfExists 
   const fs::path file = fs::absolute(path);
   refuseBadName(file, ifExists);
   removeQuietly(partOf(file));
-  Statement(original.database(), "VACUUM INTO ?")
-      .bind(std::string_view(partOf(file).string()))
-      .run();
+  {
+    const MayWrite elsewhere(original.database());
+    Statement(original.database(), "VACUUM INTO ?")
+        .bind(std::string_view(partOf(file).string()))
+        .run();
+  }
   MapFile copy(file, std::make_unique<Database>(partOf(file), Database::Mode::ReadWrite));
   copy.m_published = false;
   copy.m_ifExists = ifExists;
