@@ -129,6 +129,7 @@ void BM_StoreOnTopOf400(benchmark::State &state)
                     ("homeward-mission-bench-" + std::to_string(getpid()) + ".hwm");
   Random random(6, 0);
   std::vector<ViewBytes> views;
+  views.reserve(kViews);
   for (int i = 0; i < kViews; ++i) {
     views.push_back(encodeView(drawView(random)));
   }

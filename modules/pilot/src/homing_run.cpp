@@ -28,7 +28,7 @@ HomingRun::HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions 
 {}
 
 HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly,
-                                 std::optional<Eigen::Vector2d> oPlace)
+                                 const std::optional<Eigen::Vector2d> &oPlace)
 {
   m_oPlace = oPlace;
   if (oPlace) {

@@ -79,7 +79,7 @@ public:
    * @param oPlace where the map has the place, metres, odometry frame: it must come nearer to there
    */
   Result run(std::optional<double> oDeparture, bool exactly = false,
-             std::optional<Eigen::Vector2d> oPlace = std::nullopt);
+             const std::optional<Eigen::Vector2d> &oPlace = std::nullopt);
 
   /** After an arrival: as near as sight tells, turned as the place was seen. */
   Result comeCloser();
