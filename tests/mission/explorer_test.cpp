@@ -1,73 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "grid_world.h"
+#include "explorer_worlds.h"
 
 #include <homeward/core/error.h>
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <set>
-
 namespace homeward
 {
 namespace
 {
-
-struct Tour
-{
-  TopologicalMap map;
-  Finish finish;
-  std::vector<std::string> log;
-  int steps = 0;
-};
-
-Tour explore(GridWorld &world, const ExplorerOptions &options)
-{
-  const Explorer explorer(options);
-  Tour run;
-  Step<ExplorerState> step = explorer.start(run.map);
-  for (; run.steps < 2000; ++run.steps) {
-    for (const MapChange &change : step.changes) {
-      run.map.apply(change);
-    }
-    world.follow(step.changes);
-    run.log.insert(run.log.end(), step.log.begin(), step.log.end());
-    if (const auto *finish = std::get_if<Finish>(&step.command)) {
-      run.finish = *finish;
-      return run;
-    }
-    step = explorer.next(step.state, run.map, world.execute(step.command));
-  }
-  ADD_FAILURE() << "the exploration does not end";
-  return run;
-}
-
-//  A ring of eight places round a table, with a dead end.
-std::vector<std::string> ring()
-{
-  return {"....", ".#.#", "...#"};
-}
-
-ExplorerOptions oneMetre()
-{
-  return {.forwardDistance = 1.0};
-}
-
-/** Node 0 with a direction left, node 1 that no edge leads to, and a robot that has come to 1. */
-struct CutOff
-{
-  TopologicalMap map;
-  ExplorerState state;
-
-  CutOff()
-  {
-    map.apply(NodeAdded{{NodeId{0}, {{DirectionId{0}, 0.5, 1.0, DirectionState::Open, ""}}}});
-    map.apply(NodeAdded{{NodeId{1}, {}}});
-    state.phase = ExplorerState::Phase::Homing;
-    state.origin = NodeId{1};
-    state.target = NodeId{1};
-  }
-};
 
 TEST(Explorer, EndsWithEveryPlaceKnownOnce)
 {
@@ -139,48 +80,6 @@ TEST(Explorer, TellsPlacesThatLookAlikeApartByTheWaysDriven)
   EXPECT_EQ(world.nodes.size(), 9U);
   EXPECT_EQ(run.map.edges().size(), 9U);
 }
-
-/** One place with one open direction, along which the robot is to drive. */
-struct AtTheFirstPlace
-{
-  TopologicalMap map;
-  Step<ExplorerState> step;
-
-  explicit AtTheFirstPlace(const Explorer &explorer) : step(explorer.start(map))
-  {
-    step = explorer.next(step.state, map, Surveyed{{{0.0, 1.0, 3.0}}, {}});
-    for (const MapChange &change : step.changes) {
-      map.apply(change);
-    }
-  }
-};
-
-//  0 - 1 - 2, a metre apart; the robot has driven half a metre on from 2.
-struct Row
-{
-  TopologicalMap map;
-  ExplorerState state;
-  Driven report{false, {0.5, 0.5, 0.0, kPi}};
-
-  Row()
-  {
-    for (int i = 0; i < 3; ++i) {
-      map.apply(NodeAdded{{NodeId{i}, {}}});
-    }
-    for (int i = 0; i < 2; ++i) {
-      map.apply(EdgeAdded{{EdgeId{i}, NodeId{i}, NodeId{i + 1}, 0.0, kPi, 1.0}});
-    }
-    state.phase = ExplorerState::Phase::Driving;
-    state.origin = NodeId{2};
-  }
-
-  Command whenSeen(const PlaceMatch &match) const
-  {
-    const Explorer explorer(oneMetre());
-    const auto step = explorer.next(state, map, report);
-    return explorer.next(step.state, map, Recognised{{match}}).command;
-  }
-};
 
 TEST(Explorer, SurveysWhereAPlaceSeenCannotBe)
 {
@@ -494,114 +393,6 @@ TEST(Explorer, APlaceHomedToInVainGivesWayToAnother)
   step = explorer.next(state, at.map, Homed{HomingEnd::Blocked, {}});
   step = explorer.next(step.state, at.map, Recognised{{{NodeId{1}, 1.0, true, 10.0}}});
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{1});
-}
-
-TEST(Explorer, StopsWhenInterrupted)
-{
-  const Explorer explorer(oneMetre());
-  const auto step = explorer.next(explorer.start({}).state, {}, Interrupted{});
-  EXPECT_EQ(std::get<Finish>(step.command).outcome, Outcome::Stopped);
-}
-
-TEST(Explorer, RefusesAReportThatAnswersNothing)
-{
-  const Explorer explorer(oneMetre());
-  EXPECT_THROW(explorer.next(explorer.start({}).state, {}, Driven{}), LogicError);
-  EXPECT_THROW(Explorer({.forwardDistance = 0.0}), LogicError);
-}
-
-TEST(Explorer, AStateTellsTheCommandItWaitsFor)
-{
-  const Explorer explorer(oneMetre());
-  for (const int failures : {0, 3, 7}) {
-    GridWorld world(ring(), {0, 0});
-    world.homingFailures = failures;
-    TopologicalMap map;
-    Step<ExplorerState> step = explorer.start(map);
-    std::set<ExplorerState::Phase> phases;
-    while (step.state.phase != ExplorerState::Phase::Finished) {
-      for (const MapChange &change : step.changes) {
-        map.apply(change);
-      }
-      world.follow(step.changes);
-      EXPECT_EQ(explorer.pending(step.state, map), step.command);
-      phases.insert(step.state.phase);
-      step = explorer.next(step.state, map, world.execute(step.command));
-    }
-    EXPECT_EQ(explorer.pending(step.state, map), step.command);
-    EXPECT_GE(phases.size(), failures == 0 ? 5U : 6U);
-  }
-}
-
-TEST(Explorer, InterruptedItWaitsForTheSameAnswer)
-{
-  const Explorer explorer(oneMetre());
-  const auto step = explorer.start({});
-  EXPECT_EQ(explorer.next(step.state, {}, Interrupted{}).state, step.state);
-}
-
-TEST(Explorer, ResumesByLookingWhereItIsAndKeepsWhatItLearnt)
-{
-  const Explorer explorer(oneMetre());
-  const CutOff at;
-  ExplorerState state = at.state;
-  state.failures[EdgeId{0}] = 1;
-  state.attempts[{NodeId{0}, DirectionId{0}}] = 1;
-  state.vain[NodeId{0}] = 1;
-  const auto step = explorer.resume(state, at.map);
-  EXPECT_EQ(step.command, Command(Recognise{}));
-  EXPECT_EQ(step.state.failures, state.failures);
-  EXPECT_EQ(step.state.attempts, state.attempts);
-  EXPECT_TRUE(step.state.vain.empty());
-  EXPECT_EQ(explorer.start(at.map).command, Command(Recognise{}));
-}
-
-TEST(Explorer, ResumedElsewhereItMakesNoEdgeFromThePlaceItLeft)
-{
-  const Explorer explorer(oneMetre());
-  const CutOff at;
-  const Chord any{0.7, 0.7, 0.0, kPi};
-  auto step = explorer.resume(at.state, at.map);
-  step = explorer.next(step.state, at.map, Recognised{});
-  ASSERT_EQ(step.command, Command(Survey{}));
-  step = explorer.next(step.state, at.map, Surveyed{{}, any});
-  ASSERT_EQ(step.changes.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<NodeAdded>(step.changes.front()));
-
-  step = explorer.resume(at.state, at.map);
-  step = explorer.next(step.state, at.map, Recognised{{{NodeId{0}, 1.0, true, 10.0}}});
-  EXPECT_TRUE(std::get<HomeTo>(step.command).surely);
-  step = explorer.next(step.state, at.map, Homed{HomingEnd::Arrived, any});
-  EXPECT_TRUE(step.changes.empty());
-  EXPECT_TRUE(std::holds_alternative<DriveDirection>(step.command));
-}
-
-TEST(Explorer, ResumedAtItsEndItEndsAtOnce)
-{
-  const Explorer explorer(oneMetre());
-  GridWorld world(ring(), {0, 0});
-  const Tour run = explore(world, oneMetre());
-  EXPECT_EQ(explorer.start(run.map).command, Command(run.finish));
-
-  // A direction that cannot be reached is not tried again.
-  const CutOff at;
-  ExplorerState state = at.state;
-  EXPECT_TRUE(std::holds_alternative<Recognise>(explorer.resume(state, at.map).command));
-  state.phase = ExplorerState::Phase::Finished;
-  EXPECT_TRUE(std::holds_alternative<Finish>(explorer.resume(state, at.map).command));
-}
-
-TEST(Explorer, AStateOfAnotherMapIsRefused)
-{
-  const Explorer explorer(oneMetre());
-  const CutOff at;
-  ExplorerState state = at.state;
-  state.phase = ExplorerState::Phase::Driving;
-  EXPECT_THROW(explorer.pending(state, at.map), LogicError); // which direction?
-  state.direction = DirectionId{4};
-  EXPECT_THROW(explorer.pending(state, at.map), LogicError);
-  state.origin = NodeId{7};
-  EXPECT_THROW(explorer.pending(state, at.map), LogicError);
 }
 
 } // namespace
