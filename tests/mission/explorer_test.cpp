@@ -88,6 +88,16 @@ TEST(Explorer, SurveysWhereAPlaceSeenCannotBe)
   EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen({NodeId{1}, 1.0, true, 10.0})));
 }
 
+TEST(Explorer, BelievesInNoPlaceBeyondThreeSigmasHoweverAlike)
+{
+  Row row; // a place is 0.5 m across, a metre of way adds 0.08
+  const PlaceMatch sure{NodeId{1}, 1.0, true, 10.0};
+  row.report.chord = {0.6, 0.6, 0.0, kPi};
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen(sure)));
+  row.report.chord = {0.86, 0.86, 0.0, kPi};
+  EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen(sure)));
+}
+
 TEST(Explorer, WeighsWhatItSeesWithTheWaysDriven)
 {
   const Row row; // half a metre from 2, one and a half from 1

@@ -10,10 +10,7 @@ namespace homeward
 namespace
 {
 
-/**
- * Pictures are taken 2 cm off the ones before, on average, and the errors add up as a random walk's
- * do: as many leave a picture 4 cm off on average.
- */
+/** A picture is taken some centimetres off the one before, and such errors add up. */
 constexpr int kMostRefreshes = 3;
 
 /** The navigator, as far as a map file can keep what it decides. */
