@@ -184,7 +184,7 @@ TEST(Avoid, AloneKeepsABlindWandererFromTouching)
 TEST(Creep, LeavesTheTwistAloneWhereNothingIsNear)
 {
   const Twist2 wanted{0.3, 0.4};
-  const Twist2 far = creep({{0.40, 0.0}, {0.0, -0.5}}, Footprint{}, wanted, 0.07, 0.04);
+  const Twist2 far = creep({{0.50, 0.0}, {0.0, -0.5}}, Footprint{}, wanted);
   EXPECT_EQ(far.v, wanted.v);
   EXPECT_EQ(far.w, wanted.w);
 }
@@ -193,16 +193,25 @@ TEST(Creep, SlowsThePartThatPassesAndKeepsTheArc)
 {
   const Twist2 wanted{0.2, 0.4};
   const Eigen::Vector2d beside(0.25, -0.30); // off the corner ahead on the right
-  const Twist2 slow = creep({beside}, Footprint{}, wanted, 0.07, 0.04);
+  const Twist2 slow = creep({beside}, Footprint{}, wanted);
   EXPECT_NEAR(std::hypot(slow.v + slow.w * 0.245, slow.w * 0.25), 0.04, 1e-12);
   EXPECT_NEAR(slow.v / slow.w, wanted.v / wanted.w, 1e-12);
   const Twist2 crawl{0.01, 0.0};
-  EXPECT_EQ(creep({beside}, Footprint{}, crawl, 0.07, 0.04).v, crawl.v);
+  EXPECT_EQ(creep({beside}, Footprint{}, crawl).v, crawl.v);
+}
+
+TEST(Creep, SlowsBeforeItIsNear)
+{
+  const Twist2 wanted{0.3, 0.0};
+  const Eigen::Vector2d ahead(0.25 + 0.15, 0.2);
+  EXPECT_NEAR(creep({ahead}, Footprint{}, wanted).v, CreepOptions{}.speed, 1e-12);
+  const CreepOptions blind{.ahead = 0.0};
+  EXPECT_EQ(creep({ahead}, Footprint{}, wanted, blind).v, wanted.v);
 }
 
 TEST(Creep, RefusesASpeedOfNothing)
 {
-  EXPECT_THROW(creep({}, Footprint{}, {0.1, 0.0}, 0.07, 0.0), LogicError);
+  EXPECT_THROW(creep({}, Footprint{}, {0.1, 0.0}, {.speed = 0.0}), LogicError);
 }
 
 TEST(Avoid, RefusesBadOptionsByName)

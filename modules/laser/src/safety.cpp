@@ -121,21 +121,24 @@ Twist2 avoid(const std::vector<Eigen::Vector2d> &points, const Footprint &footpr
 }
 
 Twist2 creep(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
-             const Twist2 &wanted, double near, double speed)
+             const Twist2 &wanted, const CreepOptions &options)
 {
-  if (!(speed > 0.0)) {
-    throw LogicError("creep: speed is " + std::to_string(speed) + " m/s, must be above 0");
+  if (!(options.speed > 0.0)) {
+    throw LogicError("creep: speed is " + std::to_string(options.speed) + " m/s, must be above 0");
   }
-  double fastest = speed;
-  for (const Eigen::Vector2d &point : points) {
-    const Eigen::Vector2d beside(std::clamp(point.x(), footprint.xMin, footprint.xMax),
-                                 std::clamp(point.y(), footprint.yMin, footprint.yMax));
-    if ((point - beside).norm() < near) {
-      fastest =
-          std::max(fastest, std::hypot(wanted.v - wanted.w * beside.y(), wanted.w * beside.x()));
+  const Pose2 soonMr = integrate(wanted, options.ahead).inverse();
+  double fastest = options.speed;
+  for (const Eigen::Vector2d &now : points) {
+    for (const Eigen::Vector2d &point : {now, Eigen::Vector2d(soonMr * now)}) {
+      const Eigen::Vector2d beside(std::clamp(point.x(), footprint.xMin, footprint.xMax),
+                                   std::clamp(point.y(), footprint.yMin, footprint.yMax));
+      if ((point - beside).norm() < options.near) {
+        fastest =
+            std::max(fastest, std::hypot(wanted.v - wanted.w * beside.y(), wanted.w * beside.x()));
+      }
     }
   }
-  return {wanted.v * speed / fastest, wanted.w * speed / fastest};
+  return {wanted.v * options.speed / fastest, wanted.w * options.speed / fastest};
 }
 
 } // namespace homeward

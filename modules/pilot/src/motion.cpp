@@ -266,7 +266,7 @@ void Motion::command(const Twist2 &twist)
 /** Commands a twist, gently past what is near. */
 void Motion::go(const Twist2 &twist)
 {
-  command(creep(m_sight.points, m_footprint, twist, m_options.creepNear, m_options.creepSpeed));
+  command(creep(m_sight.points, m_footprint, twist, m_options.creep));
 }
 
 void Motion::stop()

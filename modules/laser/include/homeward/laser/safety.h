@@ -48,15 +48,22 @@ double stoppableSpeed(double distance, double deceleration, double reaction);
 Twist2 avoid(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
              const Twist2 &wanted, const AvoidOptions &options = {});
 
+/** How gently to pass what is near. */
+struct CreepOptions
+{
+  /** Metres from what is seen: furniture that is 6 cm wider lower down, noise and odometry. */
+  double near = 0.09;
+  double speed = 0.04; ///< m/s, > 0, of the part of the body that is near
+  double ahead = 0.3;  ///< s; what will be near by then counts, as braking takes time
+};
+
 /**
- * The same arc, slowed until no part of the body passes faster than `speed` by a point that is
- * nearer than `near` to it: chairs and tables are wider above and below the laser's plane.
+ * The same arc, slowed until no part of the body passes fast by a point that is near to it, or soon
+ * will be: chairs and tables are wider above and below the laser's plane.
  * @param points obstacles in the robot's frame, metres
- * @param near metres
- * @param speed m/s, > 0
  * @throw LogicError for a speed that is not positive
  */
 Twist2 creep(const std::vector<Eigen::Vector2d> &points, const Footprint &footprint,
-             const Twist2 &wanted, double near, double speed);
+             const Twist2 &wanted, const CreepOptions &options = {});
 
 } // namespace homeward

@@ -43,9 +43,8 @@ struct MotionOptions
   double tightMargin = 0.03;  ///< metres kept where there is no other way, ...
   double tightSpeed = 0.15;   ///< m/s, ... driven slowly
   double tightSeconds = 3.0;  ///< s it goes on so, lest it turns to and fro
-  double creepNear = 0.07;    ///< metres from what is seen where ...
-  double creepSpeed = 0.04;   ///< m/s, ... no part of the body moves faster
-  double retreat = 0.3;       ///< metres driven back along the way it came after a contact
+  CreepOptions creep;
+  double retreat = 0.3; ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
 
