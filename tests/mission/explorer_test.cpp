@@ -154,6 +154,32 @@ TEST(Explorer, MakesNoPlaceThatNoEdgeCouldLeadTo)
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{2});
 }
 
+//  0 - 1 - 2, a metre apart; from 2 the robot drove back to a hand's width off 1, which looks like
+//  nothing there.
+TEST(Explorer, MakesNoPlaceWhereTheWaysHaveOne)
+{
+  Row row;
+  row.map.apply(NodeAdded{{NodeId{3}, {{DirectionId{0}, kPi, 1.0, DirectionState::Open, ""}}}});
+  row.map.apply(EdgeAdded{{EdgeId{2}, NodeId{1}, NodeId{3}, 0.0, kPi, 1.0}});
+  row.state.origin = NodeId{3};
+  row.state.direction = DirectionId{0};
+  const Explorer explorer(oneMetre());
+  const auto arrive = [&](double distance) {
+    row.report.chord = {distance, distance, kPi, 0.0};
+    const auto step = explorer.next(row.state, row.map, row.report);
+    return explorer.next(step.state, row.map, Recognised{});
+  };
+  EXPECT_TRUE(std::holds_alternative<Survey>(arrive(0.6).command));
+  const auto step = arrive(0.8);
+  const auto *back = std::get_if<DriveDirection>(&step.command);
+  ASSERT_NE(back, nullptr);
+  EXPECT_DOUBLE_EQ(back->distance, 0.8);
+  ASSERT_EQ(step.changes.size(), 1U);
+  const auto &settled = std::get<DirectionSettled>(step.changes[0]);
+  EXPECT_EQ(settled.state, DirectionState::Closed);
+  EXPECT_EQ(settled.reason, "node 1 is there");
+}
+
 //  1 was taken for 0 and is not; later it looks like it again.
 TEST(Explorer, RemembersWhichPlacesOnlyLookAlike)
 {

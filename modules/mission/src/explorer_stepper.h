@@ -247,11 +247,15 @@ private:
 
   void survey() { ask(Phase::Surveying, Survey{}); }
 
-  /** A place that no edge would lead to is none. */
+  /** A place that no edge would lead to is none, nor is one where another stands. */
   void surveyOrGoBack()
   {
     ExplorerState &state = m_step.state;
-    if (!state.origin || m_whereabouts.isWay(state.chord)) {
+    const auto there = m_whereabouts.crowding();
+    if (there) {
+      settle(DirectionState::Closed, "node " + std::to_string(there->value) + " is there");
+    }
+    if (!state.origin || (m_whereabouts.isWay(state.chord) && !there)) {
       survey();
     }
     else if (const auto back = state.retreated ? std::nullopt : m_commands.retreat()) {

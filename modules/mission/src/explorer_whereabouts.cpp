@@ -72,6 +72,20 @@ const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &
   return best;
 }
 
+std::optional<NodeId> ExplorerWhereabouts::crowding() const
+{
+  std::optional<NodeId> nearest;
+  double least = m_options.crowded();
+  for (const auto &[node, unused] : m_map.nodes()) {
+    const auto off = offset(node);
+    if (off && off->error <= 0.5 * m_options.crowded() && off->distance < least) {
+      least = off->distance;
+      nearest = node;
+    }
+  }
+  return nearest;
+}
+
 bool ExplorerWhereabouts::onlyLooksLike(NodeId node) const
 {
   if (!m_state.origin || m_state.chord.distance > m_options.rightHere) {

@@ -37,6 +37,9 @@ public:
    */
   const PlaceMatch *placeHere(const std::vector<PlaceMatch> &matches, bool near) const;
 
+  /** The node too near to the robot, by ways short enough to tell, for a new one here. */
+  std::optional<NodeId> crowding() const;
+
   /** Whether the robot stands beside the place left, which is known only to look like the node. */
   bool onlyLooksLike(NodeId node) const;
 

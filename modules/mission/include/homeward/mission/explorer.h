@@ -89,6 +89,9 @@ struct ExplorerOptions
   /** Metres: what stands nearer in a direction that was open has come since, and may go again. */
   double newcomer() const { return 0.75 * forwardDistance; }
 
+  /** Metres, by ways short enough to tell: nearer than this to a place there is no new one. */
+  double crowded() const { return 0.3 * forwardDistance; }
+
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }
 
@@ -109,7 +112,8 @@ struct ExplorerOptions
  * | Driving     | Driven     | Classifying; home to the node left when blocked at once               |
  * | Classifying | Recognised | Homing to the verified place; Surveying when there is none            |
  * | Homing      | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  |
- * |             |            | where an edge can be made, else Returning to the node left            |
+ * |             |            | where an edge can be made and no node stands by the ways, else        |
+ * |             |            | Returning to the node left                                            |
  * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
  * | Striding    | Driven     | Following the same leg, from where it stands now                      |
  * | Relocating  | Recognised | Returning to the best place; Retreating once when there is none, then |
