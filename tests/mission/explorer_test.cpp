@@ -180,6 +180,22 @@ TEST(Explorer, MakesNoPlaceWhereTheWaysHaveOne)
   EXPECT_EQ(settled.reason, "node 1 is there");
 }
 
+TEST(Explorer, IsAtThePlaceLeftWhereNothingIsRecognisedAHandsWidthOff)
+{
+  Row row;
+  row.map.apply(NodeAdded{{NodeId{3}, {{DirectionId{0}, kPi, 1.0, DirectionState::Open, ""}}}});
+  row.state.phase = ExplorerState::Phase::Relocating;
+  row.state.origin = NodeId{3};
+  row.state.retreated = true;
+  const Explorer explorer(oneMetre());
+  row.state.chord = {0.2, 4.0, 0.0, kPi};
+  auto step = explorer.next(row.state, row.map, Recognised{});
+  EXPECT_TRUE(std::holds_alternative<DriveDirection>(step.command));
+  row.state.chord = {0.4, 4.0, 0.0, kPi};
+  step = explorer.next(row.state, row.map, Recognised{});
+  EXPECT_TRUE(std::holds_alternative<Survey>(step.command));
+}
+
 //  1 was taken for 0 and is not; later it looks like it again.
 TEST(Explorer, RemembersWhichPlacesOnlyLookAlike)
 {

@@ -203,6 +203,9 @@ public:
       state.retreated = true;
       ask(Phase::Retreating, *back);
     }
+    else if (state.origin && m_whereabouts.crowding() == state.origin) {
+      leave(NodeId{*state.origin});
+    }
     else {
       survey();
     }

@@ -116,7 +116,8 @@ struct ExplorerOptions
  * |             |            | Returning to the node left                                            |
  * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
  * | Striding    | Driven     | Following the same leg, from where it stands now                      |
- * | Relocating  | Recognised | Returning to the best place; Retreating once when there is none, then |
+ * | Relocating  | Recognised | Returning to the best place; Retreating once when there is none; then |
+ * |             |            | leave the node left, if it stands right here by the ways, or else     |
  * |             |            | Surveying;                                                            |
  * |             |            | the same when cut off, but a place that leads on; else Finished       |
  * | Retreating  | Driven     | Returning to the place left                                           |
