@@ -90,7 +90,7 @@ TEST(Explorer, SurveysWhereAPlaceSeenCannotBe)
 
 TEST(Explorer, BelievesInNoPlaceBeyondThreeSigmasHoweverAlike)
 {
-  Row row; // a place is 0.5 m across, a metre of way adds 0.08
+  Row row; // a place is 0.5 m across, a metre of way adds 0.04
   const PlaceMatch sure{NodeId{1}, 1.0, true, 10.0};
   row.report.chord = {0.6, 0.6, 0.0, kPi};
   EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen(sure)));

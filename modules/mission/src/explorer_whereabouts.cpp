@@ -74,11 +74,12 @@ const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &
 
 std::optional<NodeId> ExplorerWhereabouts::crowding() const
 {
+  const double tellable = m_options.crowded() / 4.0; // metres, one sigma
   std::optional<NodeId> nearest;
   double least = m_options.crowded();
   for (const auto &[node, unused] : m_map.nodes()) {
     const auto off = offset(node);
-    if (off && off->error <= 0.5 * m_options.crowded() && off->distance < least) {
+    if (off && off->error <= tellable && off->distance < least) {
       least = off->distance;
       nearest = node;
     }

@@ -77,8 +77,8 @@ struct ExplorerOptions
 
   /** Metres, one sigma, that a robot at a place may be off from where its node stands. */
   double placeSigma = 0.5;
-  double reckoningError = 0.08; ///< metres a metre of way, one sigma, that the ways add to it
-  double surelyBeyond = 0.5;  ///< metres that the ways add, beyond which an arrival is made sure of
+  double reckoningError = 0.04; ///< metres a metre of way, one sigma, that the ways add to it
+  double surelyBeyond = 0.25; ///< metres that the ways add, beyond which an arrival is made sure of
   double farthest = 3.0;      ///< sigmas off by the ways, beyond which it is no place however alike
   double samePlace = 0.3;     ///< metres; so near to each other there cannot be two places
   double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one, ...
