@@ -27,8 +27,7 @@ std::optional<ExplorerWhereabouts::Offset> ExplorerWhereabouts::offset(NodeId no
   const Chord &chord = m_state.chord;
   const Eigen::Vector2d here(chord.distance * std::cos(chord.bearingAtOrigin),
                              chord.distance * std::sin(chord.bearingAtOrigin));
-  return Offset{(there->fromMto.translation() - here).norm(),
-                m_options.reckoningError * there->length};
+  return Offset{(there->fromMto.translation() - here).norm(), m_options.wayError(there->length)};
 }
 
 bool ExplorerWhereabouts::plausible(NodeId node, double reach) const
@@ -74,7 +73,7 @@ const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &
 
 std::optional<NodeId> ExplorerWhereabouts::crowding() const
 {
-  const double tellable = m_options.crowded() / 4.0; // metres, one sigma
+  const double tellable = m_options.crowded() / 5.0; // metres, one sigma
   std::optional<NodeId> nearest;
   double least = m_options.crowded();
   for (const auto &[node, unused] : m_map.nodes()) {
@@ -113,7 +112,7 @@ std::optional<NodeId> ExplorerWhereabouts::nodeWhere(NodeId node, double bearing
       m_options.forwardDistance * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
   for (const auto &[other, unused] : m_map.nodes()) {
     const auto there = other == node ? std::nullopt : reckon(m_map, node, other);
-    if (there && m_options.reckoningError * there->length < m_options.surelyBeyond &&
+    if (there && m_options.wayError(there->length) < m_options.surelyBeyond &&
         (there->fromMto.translation() - end).norm() < m_options.closeNear) {
       return other;
     }
