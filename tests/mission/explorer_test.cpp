@@ -74,7 +74,7 @@ TEST(Explorer, TellsPlacesThatLookAlikeApartByTheWaysDriven)
   world.lookAlike = true;
   ExplorerOptions options = oneMetre();
   options.placeSigma = 0.2;
-  options.reckoningError = 0.0; // its ways are exact
+  options.farthest = 1.0; // its ways are exact
   const Tour run = explore(world, options);
   EXPECT_EQ(run.finish.outcome, Outcome::Done);
   EXPECT_EQ(world.nodes.size(), 9U);
@@ -90,21 +90,12 @@ TEST(Explorer, SurveysWhereAPlaceSeenCannotBe)
 
 TEST(Explorer, BelievesInNoPlaceBeyondThreeSigmasHoweverAlike)
 {
-  Row row; // a place is 0.5 m across, a metre of way adds 0.02
+  Row row; // a place is 0.5 m across, a metre of way adds 0.13
   const PlaceMatch sure{NodeId{1}, 1.0, true, 10.0};
   row.report.chord = {0.5, 0.5, 0.0, kPi};
   EXPECT_TRUE(std::holds_alternative<HomeTo>(row.whenSeen(sure)));
-  row.report.chord = {0.6, 0.6, 0.0, kPi};
+  row.report.chord = {0.95, 0.95, 0.0, kPi};
   EXPECT_TRUE(std::holds_alternative<Survey>(row.whenSeen(sure)));
-}
-
-TEST(Explorer, TrustsShortWaysMoreThanTheirShareOfLongOnes)
-{
-  const ExplorerOptions options;
-  const double metre = options.reckoningError;
-  EXPECT_DOUBLE_EQ(options.wayError(50.0), 50.0 * metre);
-  EXPECT_DOUBLE_EQ(options.wayError(options.wanderLength / 4.0),
-                   0.5 * metre * options.wanderLength / 4.0);
 }
 
 TEST(Explorer, WeighsWhatItSeesWithTheWaysDriven)

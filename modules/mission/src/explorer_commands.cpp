@@ -5,7 +5,6 @@
 
 #include <homeward/core/angle.h>
 #include <homeward/core/error.h>
-#include <homeward/topology/reckoning.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +69,7 @@ HomeTo ExplorerCommands::homeTo(std::optional<double> departure) const
 
 std::optional<Way> ExplorerCommands::wayTo(NodeId node) const
 {
-  const auto there =
-      m_state.origin ? reckon(m_map, *m_state.origin, node) : std::optional<Reckoned>{};
+  const auto there = m_whereabouts.reckoned(node);
   if (!there) {
     return std::nullopt;
   }

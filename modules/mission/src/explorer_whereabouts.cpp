@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "explorer_whereabouts.h"
 
-#include <homeward/topology/reckoning.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,17 +15,33 @@ bool ExplorerWhereabouts::isWay(const Chord &chord) const
   return chord.travelled <= m_options.longestEdge() || near;
 }
 
+const Reckoning &ExplorerWhereabouts::reckoning(NodeId from) const
+{
+  const std::size_t edges =
+      m_map.edges().size(); // the only thing that a step changes and that counts
+  if (!m_reckoning || m_reckonedFrom != from || m_reckonedEdges != edges) {
+    m_reckoning.emplace(m_map, from);
+    m_reckonedFrom = from;
+    m_reckonedEdges = edges;
+  }
+  return *m_reckoning;
+}
+
+std::optional<Reckoned> ExplorerWhereabouts::reckoned(NodeId node) const
+{
+  return m_state.origin ? reckoning(*m_state.origin).find(node) : std::nullopt;
+}
+
 std::optional<ExplorerWhereabouts::Offset> ExplorerWhereabouts::offset(NodeId node) const
 {
-  const auto there =
-      m_state.origin ? reckon(m_map, *m_state.origin, node) : std::optional<Reckoned>{};
+  const auto there = reckoned(node);
   if (!there) {
     return std::nullopt;
   }
   const Chord &chord = m_state.chord;
   const Eigen::Vector2d here(chord.distance * std::cos(chord.bearingAtOrigin),
                              chord.distance * std::sin(chord.bearingAtOrigin));
-  return Offset{(there->fromMto.translation() - here).norm(), m_options.wayError(there->length)};
+  return Offset{(there->fromMto.translation() - here).norm(), there->sigma};
 }
 
 bool ExplorerWhereabouts::plausible(NodeId node, double reach) const
@@ -73,12 +87,11 @@ const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &
 
 std::optional<NodeId> ExplorerWhereabouts::crowding() const
 {
-  const double tellable = m_options.crowded() / 5.0; // metres, one sigma
   std::optional<NodeId> nearest;
   double least = m_options.crowded();
   for (const auto &[node, unused] : m_map.nodes()) {
     const auto off = offset(node);
-    if (off && off->error <= tellable && off->distance < least) {
+    if (off && off->error <= m_options.surelyBeyond && off->distance < least) {
       least = off->distance;
       nearest = node;
     }
@@ -111,8 +124,8 @@ std::optional<NodeId> ExplorerWhereabouts::nodeWhere(NodeId node, double bearing
   const Eigen::Vector2d end =
       m_options.forwardDistance * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
   for (const auto &[other, unused] : m_map.nodes()) {
-    const auto there = other == node ? std::nullopt : reckon(m_map, node, other);
-    if (there && m_options.wayError(there->length) < m_options.surelyBeyond &&
+    const auto there = other == node ? std::nullopt : reckoning(node).find(other);
+    if (there && there->sigma < m_options.surelyBeyond &&
         (there->fromMto.translation() - end).norm() < m_options.closeNear) {
       return other;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <homeward/mission/explorer.h>
+#include <homeward/topology/reckoning.h>
 
 #include <optional>
 #include <vector>
@@ -24,6 +25,9 @@ public:
                       const ExplorerState &state)
       : m_options(options), m_map(map), m_state(state)
   {}
+
+  /** Where the node stands, seen from the place left, by the ways driven. */
+  std::optional<Reckoned> reckoned(NodeId node) const;
 
   /** How far the node lies from where the robot stands, by the ways driven. */
   std::optional<Offset> offset(NodeId node) const;
@@ -53,6 +57,7 @@ public:
   bool isWay(const Chord &chord) const;
 
 private:
+  const Reckoning &reckoning(NodeId from) const;
   double logOdds(const PlaceMatch &match) const;
   bool standsHere(NodeId node) const;
   bool tooOftenInVain(NodeId node) const;
@@ -60,6 +65,11 @@ private:
   const ExplorerOptions &m_options;
   const TopologicalMap &m_map;
   const ExplorerState &m_state;
+
+  // What was reckoned last, and from which node and how many edges.
+  mutable std::optional<Reckoning> m_reckoning;
+  mutable NodeId m_reckonedFrom;
+  mutable std::size_t m_reckonedEdges = 0;
 };
 
 } // namespace homeward

@@ -6,6 +6,7 @@
 #include <homeward/topology/reckoning.h>
 
 #include <algorithm>
+#include <map>
 
 namespace homeward
 {
@@ -15,7 +16,7 @@ namespace
 
 constexpr double kAlone = 0.99;    ///< probability that a single pair must have
 constexpr double kApart = 1.0;     ///< metres between the places of a pair
-constexpr double kWayError = 0.16; ///< metres a metre of way, two sigma
+constexpr double kSigmas = 3.0;    ///< of the ways
 constexpr double kTurnError = 0.5; ///< radians, two sigma of a chain of bearings
 
 std::optional<double> turnBetween(const Panorama &a, const Panorama &b)
@@ -25,22 +26,37 @@ std::optional<double> turnBetween(const Panorama &a, const Panorama &b)
   return home ? std::optional(home->headingChange) : std::nullopt;
 }
 
+/** Where the nodes of a map stand, seen from each that is asked for. */
+class Reckonings
+{
+public:
+  explicit Reckonings(const TopologicalMap &map) : m_map(map) {}
+
+  std::optional<Reckoned> find(NodeId from, NodeId to)
+  {
+    return m_reckonings.try_emplace(from, m_map, from).first->second.find(to);
+  }
+
+private:
+  const TopologicalMap &m_map;
+  std::map<NodeId, Reckoning> m_reckonings;
+};
+
 /** Whether the ways of both maps lead alike from the places of one pair to those of another. */
-bool agree(const TopologicalMap &a, const TopologicalMap &b, const PlacePair &one,
-           const PlacePair &other)
+bool agree(Reckonings &a, Reckonings &b, const PlacePair &one, const PlacePair &other)
 {
   if (one.a == other.a || one.b == other.b) {
     return false;
   }
-  const std::optional<Reckoned> inA = reckon(a, one.a, other.a);
-  const std::optional<Reckoned> inB = reckon(b, one.b, other.b);
+  const std::optional<Reckoned> inA = a.find(one.a, other.a);
+  const std::optional<Reckoned> inB = b.find(one.b, other.b);
   if (!inA || !inB) {
     return false;
   }
   // The way in b as it is seen from the place in a: both places of a pair taken for one.
   const Pose2 seen = Pose2{0.0, 0.0, one.turn} * inB->fromMto * Pose2{0.0, 0.0, -other.turn};
   const double apart = (seen.translation() - inA->fromMto.translation()).norm();
-  return apart < 2.0 * kApart + kWayError * std::hypot(inA->length, inB->length) &&
+  return apart < 2.0 * kApart + kSigmas * std::hypot(inA->sigma, inB->sigma) &&
          std::abs(wrapAngle(seen.heading - inA->fromMto.heading)) < kTurnError;
 }
 
@@ -83,12 +99,14 @@ std::vector<PlacePair> agreeingPairs(const TopologicalMap &a, const TopologicalM
 {
   std::vector<PlacePair> likely = pairs;
   std::stable_sort(likely.begin(), likely.end(), likelier);
+  Reckonings inA(a);
+  Reckonings inB(b);
   std::vector<PlacePair> best;
   for (const PlacePair &first : likely) {
     std::vector<PlacePair> set{first};
     for (const PlacePair &next : likely) {
       if (std::all_of(set.begin(), set.end(),
-                      [&](const PlacePair &member) { return agree(a, b, member, next); })) {
+                      [&](const PlacePair &member) { return agree(inA, inB, member, next); })) {
         set.push_back(next);
       }
     }

@@ -5,8 +5,6 @@
 #include <homeward/mission/step.h>
 #include <homeward/topology/planner.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -79,10 +77,7 @@ struct ExplorerOptions
 
   /** Metres, one sigma, that a robot at a place may be off from where its node stands. */
   double placeSigma = 0.5;
-  /** Metres a metre of a long way, one sigma, that the ways add to it, ... */
-  double reckoningError = 0.08;
-  double wanderLength = 25.0; ///< ... metres; over a shorter one headings wander less, as its root
-  double surelyBeyond = 0.25; ///< metres that the ways add, beyond which an arrival is made sure of
+  double surelyBeyond = 0.25; ///< metres, one sigma of the ways, beyond which sight must be sure
   double farthest = 3.0;      ///< sigmas off by the ways, beyond which it is no place however alike
   double samePlace = 0.3;     ///< metres; so near to each other there cannot be two places
   double leastLogOdds = -1.0; ///< of being at a place, to home to it; by less it is a new one, ...
@@ -95,12 +90,6 @@ struct ExplorerOptions
 
   /** Metres, by ways short enough to tell: nearer than this to a place there is no new one. */
   double crowded() const { return 0.3 * forwardDistance; }
-
-  /** Metres, one sigma, that `length` metres of ways are off at their end. */
-  double wayError(double length) const
-  {
-    return reckoningError * length * std::sqrt(std::min(1.0, length / wanderLength));
-  }
 
   /** Longest way, metres, that an edge may stand for. */
   double longestEdge() const { return 2.0 * forwardDistance + 1.0; }

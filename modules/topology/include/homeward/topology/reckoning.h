@@ -4,6 +4,7 @@
 #include <homeward/core/pose2.h>
 #include <homeward/topology/map.h>
 
+#include <memory>
 #include <optional>
 
 namespace homeward
@@ -12,15 +13,32 @@ namespace homeward
 /** Where a node stands by the ways that were driven. */
 struct Reckoned
 {
-  Pose2 fromMto;       ///< metres; heading as stored with the nodes
-  double length = 0.0; ///< metres of way it was reckoned over; the error grows with it
+  Pose2 fromMto;      ///< metres; heading as stored with the nodes
+  double sigma = 0.0; ///< metres, one sigma along the worse axis, by the errors of the ways
 };
 
 /**
- * Chains the bearings and lengths of the edges on a path with the fewest edges; those that lack one
- * are not used.
- * @return nothing when no such path exists
+ * Where all nodes stand, seen from one: the poses that agree best with the lengths and bearings of
+ * all edges together. Edges that lack one are not used.
+ *
+ * Least squares over the pose graph, with Huber's weights, so that one wrong edge bends little.
+ * Gauss-Newton from the shortest chains; a sparse factorisation, built once for all nodes.
  */
-std::optional<Reckoned> reckon(const TopologicalMap &map, NodeId from, NodeId to);
+class Reckoning
+{
+public:
+  /** @throw LogicError for an unknown node */
+  Reckoning(const TopologicalMap &map, NodeId from);
+  ~Reckoning();
+  Reckoning(Reckoning &&other) noexcept;
+  Reckoning &operator=(Reckoning &&other) noexcept;
+
+  /** Nothing when no such edges lead there. */
+  std::optional<Reckoned> find(NodeId to) const;
+
+private:
+  class Impl;
+  std::unique_ptr<const Impl> m_impl;
+};
 
 } // namespace homeward
