@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr std::uint32_t kNoiseStream = 301;
+constexpr std::chrono::seconds kLateness{1}; ///< of pictures that queue up
 
 Eigen::Isometry3d onTheFloor(const Pose2 &wMr)
 {
@@ -78,12 +79,21 @@ void MirrorFeed::run(const std::stop_token &stop)
       continue;
     }
     const bool frozen = m_faults.frozenCamera && m_picture.jpeg; // only this thread writes it
-    std::shared_ptr<const std::string> jpeg = frozen ? m_picture.jpeg : take();
-    lock.lock();
-    m_picture = {m_picture.number + 1, std::move(jpeg)};
-    lock.unlock();
-    m_changed.notify_all();
+    show(frozen ? m_picture.jpeg : take());
   }
+}
+
+void MirrorFeed::show(std::shared_ptr<const std::string> jpeg)
+{
+  const auto now = std::chrono::steady_clock::now();
+  m_queue.push_back({now, std::move(jpeg)});
+  const std::chrono::seconds lateness = m_faults.lateCamera ? kLateness : std::chrono::seconds(0);
+  while (!m_queue.empty() && now - m_queue.front().since >= lateness) {
+    const std::lock_guard lock(m_mutex);
+    m_picture = {m_picture.number + 1, std::move(m_queue.front().jpeg)};
+    m_queue.pop_front();
+  }
+  m_changed.notify_all();
 }
 
 } // namespace homeward

@@ -6,7 +6,9 @@
 #include <homeward/core/pose2.h>
 #include <homeward/sim/mirror_renderer.h>
 
+#include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -68,6 +70,7 @@ private:
   void addViewers(int count);
   void run(const std::stop_token &stop);
   std::shared_ptr<const std::string> take();
+  void show(std::shared_ptr<const std::string> jpeg);
 
   MirrorRenderer m_renderer;
   Eigen::Isometry3d m_rMp;
@@ -75,6 +78,14 @@ private:
   Random m_noise;
   MirrorFeedOptions m_options;
   const Faults &m_faults;
+
+  /** A picture on its way, and when it set out. */
+  struct OnItsWay
+  {
+    std::chrono::steady_clock::time_point since;
+    std::shared_ptr<const std::string> jpeg;
+  };
+  std::deque<OnItsWay> m_queue; ///< of the thread alone
 
   std::mutex m_mutex;
   std::condition_variable_any m_changed;

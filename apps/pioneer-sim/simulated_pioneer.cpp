@@ -20,7 +20,8 @@ constexpr double kMostCatchUp = 0.2; // s
 
 SimulatedPioneer::SimulatedPioneer(Simulator &simulator, const PioneerSimOptions &options,
                                    const Faults &faults)
-    : m_simulator(simulator), m_faults(faults), m_speed(options.speed), m_tcpServer(options.arcos),
+    : m_simulator(simulator), m_faults(faults), m_base(simulator.base(), faults),
+      m_laser(simulator.laser(), faults), m_speed(options.speed), m_tcpServer(options.arcos),
       m_ptyServer(options.arcos), m_tcp(options.host, options.port)
 {
   remember();
@@ -77,17 +78,25 @@ void SimulatedPioneer::waitForBytes(std::chrono::nanoseconds atMost)
 void SimulatedPioneer::hear()
 {
   const Time now = m_simulator.clock().now();
-  const Arrival tcp = m_tcp.receive();
-  m_tcpServer.receive(tcp.bytes, now);
-  if (tcp.left) {
-    m_tcpServer.hangUp();
-  }
-  m_ptyServer.receive(m_pty.receive().bytes, now);
+  hear(m_tcpServer, m_tcp, now);
+  hear(m_ptyServer, m_pty, now);
   m_lms.receive(m_lmsPty.receive().bytes, m_lmsPty.baud());
   carryAway(m_tcpServer);
   carryAway(m_ptyServer);
   speak(m_tcpServer, m_tcp);
   speak(m_ptyServer, m_pty);
+}
+
+void SimulatedPioneer::hear(ArcosServer &server, ClientLine &line, Time now)
+{
+  if (m_faults.deafBase) {
+    return;
+  }
+  const Arrival arrival = line.receive();
+  server.receive(m_faults.wrongBaud ? garbled(arrival.bytes) : arrival.bytes, now);
+  if (arrival.left) {
+    server.hangUp();
+  }
 }
 
 void SimulatedPioneer::carryAway(ArcosServer &server)
@@ -107,11 +116,11 @@ void SimulatedPioneer::step()
   m_simulator.clock().sleepUntil(m_simulator.clock().now() + Simulator::kStep);
   const Time now = m_simulator.clock().now();
   for (ArcosServer *server : {&m_tcpServer, &m_ptyServer}) {
-    server->step(now, m_simulator.base(), m_simulator.laser());
+    server->step(now, m_base, m_laser);
   }
   speak(m_tcpServer, m_tcp);
   speak(m_ptyServer, m_pty);
-  const Bytes telegrams = m_lms.step(Simulator::kStep, m_simulator.laser());
+  const Bytes telegrams = m_lms.step(Simulator::kStep, m_laser);
   if (!telegrams.empty() && !m_faults.silentLaser) {
     m_lmsPty.send(telegrams);
   }
@@ -126,9 +135,23 @@ void SimulatedPioneer::speak(ArcosServer &server, ClientLine &line)
     if (m_faults.silentBase || (laser && m_faults.silentLaser)) {
       continue;
     }
-    const std::size_t size = m_faults.halfPackets ? packet.size() / 2 : packet.size();
-    line.send(std::span(packet).first(size));
+    line.send(onTheLine(packet));
   }
+}
+
+Bytes SimulatedPioneer::onTheLine(const Bytes &packet) const
+{
+  constexpr std::size_t kHeader = 2;
+  Bytes sent = m_faults.wrongBaud ? garbled(packet)
+               : m_faults.garbage ? garbled(packet, kHeader)
+                                  : packet;
+  if (m_faults.badChecksums) {
+    sent.back() ^= 1U;
+  }
+  if (m_faults.halfPackets) {
+    sent.resize(sent.size() / 2);
+  }
+  return sent;
 }
 
 } // namespace homeward

@@ -4,6 +4,7 @@
 #include "arcos_server.h"
 #include "client_line.h"
 #include "faults.h"
+#include "faulty_devices.h"
 #include "lms_server.h"
 
 #include <homeward/sim/simulator.h>
@@ -54,12 +55,16 @@ private:
   void waitForBytes(std::chrono::nanoseconds atMost);
   void hear();
   void step();
+  void hear(ArcosServer &server, ClientLine &line, Time now);
   void speak(ArcosServer &server, ClientLine &line);
+  Bytes onTheLine(const Bytes &packet) const;
   void carryAway(ArcosServer &server);
   void remember();
 
   Simulator &m_simulator;
   const Faults &m_faults;
+  FaultyBase m_base;
+  FaultyLaser m_laser;
   double m_speed;
   ArcosServer m_tcpServer;
   ArcosServer m_ptyServer;

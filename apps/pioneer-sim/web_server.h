@@ -33,7 +33,7 @@ public:
   int port() const { return m_port; }
 
 private:
-  void addCamera(MirrorFeed &feed);
+  void addCamera(MirrorFeed &feed, const Faults &faults);
   void addFaults(Faults &faults);
 
   httplib::Server m_server;

@@ -74,6 +74,9 @@ void Motion::read()
   m_sight.base = m_devices.base.state();
   m_sight.base.odometry = m_turns.follow(m_sight.base.odometry);
   m_sight.scan = m_devices.laser.scan();
+  if (m_sight.scan && saysEnough(*m_sight.scan)) {
+    m_laserSpoke = m_sight.scan->stamp;
+  }
   constexpr std::size_t kPast = 30;
   if (m_past.empty() || m_past.back().stamp < m_sight.base.stamp) {
     m_past.push_back(m_sight.base);
@@ -112,7 +115,7 @@ std::string Motion::silentDevice() const
   if (silent(m_sight.base.stamp, m_options.baseSilence)) {
     return "base";
   }
-  if (!m_sight.scan || silent(m_sight.scan->stamp, m_options.laserSilence)) {
+  if (!m_laserSpoke || silent(*m_laserSpoke, m_options.laserSilence)) {
     return "laser";
   }
   const std::optional<Time> picture = m_devices.camera.newest();
@@ -120,6 +123,17 @@ std::string Motion::silentDevice() const
 }
 
 void Motion::look()
+{
+  try {
+    see();
+  }
+  catch (const RuntimeError &) {
+    m_devices.base.drive({});
+    throw;
+  }
+}
+
+void Motion::see()
 {
   const Eigen::Vector2d before = pose().translation();
   read();
@@ -139,27 +153,26 @@ void Motion::look()
     m_travelled += (pose().translation() - before).norm();
   }
   m_looked = true;
-  m_memory.update(*m_sight.scan, m_rMl, poseAt(m_sight.scan->stamp));
+  const Pose2 oMr = poseAt(m_sight.scan->stamp);
+  if (m_witness.contradicts(*m_sight.scan, oMr)) {
+    throw DeviceError("the laser sees the room turn the other way than the wheels; it is mounted "
+                      "upside down, or left and right wheels are exchanged");
+  }
+  m_memory.update(*m_sight.scan, m_rMl, oMr);
   m_memory.update(m_sight.base.sonar, pose(), m_devices.clock.now());
   m_sight.points = m_memory.points(pose());
 }
 
 const Motion::Sight &Motion::tick()
 {
-  try {
-    if (m_stop) {
-      stop();
-      throw StopRequested{};
-    }
-    look();
-    m_trail.add(pose());
-    if (m_sight.base.stalled) {
-      backOff();
-    }
+  if (m_stop) {
+    stop();
+    throw StopRequested{};
   }
-  catch (const RuntimeError &) {
-    m_devices.base.drive({});
-    throw;
+  look();
+  m_trail.add(pose());
+  if (m_sight.base.stalled) {
+    backOff();
   }
   return m_sight;
 }
@@ -169,6 +182,7 @@ void Motion::backOff()
   constexpr double kSpeed = 0.15; // m/s
   constexpr double kRate = 0.4;   // rad/s
   constexpr int kTicks = 8;
+  m_devices.base.drive({});
   believeInContact();
   // Where it stood a moment ago it was free.
   const Twist2 undo{-std::clamp(m_commanded.v, -kSpeed, kSpeed),

@@ -5,6 +5,7 @@
 #include <homeward/pilot/obstacle_memory.h>
 #include <homeward/pilot/trail.h>
 #include <homeward/pilot/turn_calibration.h>
+#include <homeward/pilot/turn_witness.h>
 #include <homeward/robot/clock.h>
 #include <homeward/robot/image_source.h>
 #include <homeward/robot/laser_scanner.h>
@@ -33,7 +34,7 @@ struct MotionOptions
 {
   double tickSeconds = 0.1;
   double baseSilence = 0.3;   ///< s without news of the base: the robot waits, standing
-  double laserSilence = 0.3;  ///< s without a scan, likewise
+  double laserSilence = 0.3;  ///< s without a scan that says anything, likewise
   double cameraSilence = 0.5; ///< s without a picture, likewise, of a camera that runs by itself
   double lostSeconds = 5.0;   ///< s of waiting after which a silent device is lost
   double maxSpeed = 0.5;      ///< m/s
@@ -81,8 +82,8 @@ public:
   /**
    * Waits for the next tick and looks. While a device is silent the robot stands and the tick
    * waits for it. Frees the robot first when something holds it.
-   * @throw DeviceError when a device is gone or does not come back, StopRequested; the robot stands
-   * in both cases
+   * @throw DeviceError when a device is gone or does not come back or the laser runs the wrong way
+   * round, StopRequested; the robot stands in both cases
    */
   const Sight &tick();
 
@@ -152,7 +153,8 @@ public:
   Devices &devices() { return m_devices; }
 
 private:
-  void look();
+  void look(); ///< sees; whatever goes wrong, the zero command goes first
+  void see();
   void read();
   std::string silentDevice() const;
   void backOff();
@@ -172,7 +174,9 @@ private:
   ObstacleMemory m_memory;
   Trail m_trail;
   TurnCalibration m_turns;
-  Twist2 m_commanded; ///< last
+  TurnWitness m_witness;
+  std::optional<Time> m_laserSpoke; ///< when the last scan was taken that says enough
+  Twist2 m_commanded;               ///< last
   Sight m_sight;
   std::deque<BaseState> m_past; ///< a few seconds, oldest first
   Time m_nextTick;
