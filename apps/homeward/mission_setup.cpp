@@ -5,6 +5,7 @@
 #include <homeward/mission/navigator.h>
 #include <homeward/store/content_hash.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -33,9 +34,13 @@ PilotOptions pilotOptions(const Rig &rig, bool runsByItself, const std::string &
   options.homing.waitForVision = !runsByItself;
   options.directions = openDirectionOptions(NavigatorOptions{}.searchDistance);
   if (rig.devices) {
-    options.motion.baseSilence = kPeriods * rig.devices->base.period;
-    options.motion.laserSilence = kPeriods * rig.devices->laser.period;
-    options.motion.cameraSilence = kPeriods * rig.devices->capture.period;
+    // Nobody looks more often than once a tick, however quick the device.
+    const auto silence = [tick = options.motion.tickSeconds](double period) {
+      return kPeriods * std::max(period, tick);
+    };
+    options.motion.baseSilence = silence(rig.devices->base.period);
+    options.motion.laserSilence = silence(rig.devices->laser.period);
+    options.motion.cameraSilence = silence(rig.devices->capture.period);
   }
   return options;
 }

@@ -3,7 +3,9 @@
 
 #include <homeward/core/error.h>
 #include <homeward/drivers/camera_sources.h>
+#include <homeward/drivers/cola_laser.h>
 #include <homeward/drivers/recorded_camera.h>
+#include <homeward/drivers/sick_laser.h>
 
 #include <charconv>
 
@@ -38,6 +40,23 @@ std::unique_ptr<ImageSource> source(const CaptureLink &link, const std::filesyst
   return openStreamCamera(link.source);
 }
 
+std::unique_ptr<LaserScanner> sickLaser(const DeviceLinks &links)
+{
+  SickOptions options;
+  options.baud = links.laser.baud;
+  options.resolution = links.laser.resolution;
+  options.clockRate = links.clockRate;
+  return std::make_unique<SickLaser>(openStream(links.laser.address, 9600), options);
+}
+
+std::unique_ptr<LaserScanner> colaLaser(const DeviceLinks &links)
+{
+  ColaOptions options;
+  options.resolution = links.laser.resolution;
+  options.clockRate = links.clockRate;
+  return std::make_unique<ColaLaser>(openStream(links.laser.address, 0), options);
+}
+
 } // namespace
 
 std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files)
@@ -53,17 +72,18 @@ std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files)
   return std::make_unique<PioneerBase>(openStream(links.base.address, links.base.baud), options);
 }
 
-std::unique_ptr<SickLaser> connectLaser(const RobotFiles &files)
+std::unique_ptr<LaserScanner> connectLaser(const RobotFiles &files)
 {
   const DeviceLinks &links = files.rig.devices.value();
-  if (links.laser.kind == LaserLink::Kind::OnBase) {
-    return nullptr;
+  switch (links.laser.kind) {
+  case LaserLink::Kind::Lms200:
+    return sickLaser(links);
+  case LaserLink::Kind::Lms1xx:
+    return colaLaser(links);
+  case LaserLink::Kind::OnBase:
+    break;
   }
-  SickOptions options;
-  options.baud = links.laser.baud;
-  options.resolution = links.laser.resolution;
-  options.clockRate = links.clockRate;
-  return std::make_unique<SickLaser>(openStream(links.laser.address, 9600), options);
+  return nullptr;
 }
 
 std::unique_ptr<LiveCamera> connectCamera(const RobotFiles &files)
@@ -95,7 +115,7 @@ RealRobot::RealRobot(const RobotFiles &files)
 
 LaserScanner &RealRobot::laser()
 {
-  return m_laser ? static_cast<LaserScanner &>(*m_laser) : m_base->laser();
+  return m_laser ? *m_laser : m_base->laser();
 }
 
 Devices RealRobot::devices()

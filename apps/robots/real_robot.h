@@ -5,8 +5,8 @@
 
 #include <homeward/drivers/live_camera.h>
 #include <homeward/drivers/pioneer_base.h>
-#include <homeward/drivers/sick_laser.h>
 #include <homeward/pilot/motion.h>
+#include <homeward/robot/laser_scanner.h>
 
 #include <memory>
 
@@ -29,7 +29,7 @@ public:
 private:
   SteadyClock m_clock;
   std::unique_ptr<LiveCamera> m_camera;
-  std::unique_ptr<SickLaser> m_laser; ///< null when the base has it
+  std::unique_ptr<LaserScanner> m_laser; ///< null when the base has it
   std::unique_ptr<PioneerBase> m_base;
 };
 
@@ -37,7 +37,7 @@ private:
 std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files);
 
 /** Connects to the laser on a line of its own; null when the base has it. @throw DeviceError */
-std::unique_ptr<SickLaser> connectLaser(const RobotFiles &files);
+std::unique_ptr<LaserScanner> connectLaser(const RobotFiles &files);
 
 /** Opens the camera. @throw DeviceError, ConfigError */
 std::unique_ptr<LiveCamera> connectCamera(const RobotFiles &files);

@@ -102,6 +102,20 @@ TEST(Rig, ReadsRealDevices)
   EXPECT_DOUBLE_EQ(rig.devices->clockRate, 4.0);
 }
 
+TEST(Rig, ReadsALaserOnEthernet)
+{
+  const auto laser = [](const std::string &resolution) {
+    return parseRig(kFiles + kBase + "laser: {kind: lms1xx, address: 'tcp:10.0.0.2:2111'" +
+                        resolution + "}\n" + kCapture,
+                    "rig.yaml")
+        .devices->laser;
+  };
+  EXPECT_EQ(laser("").kind, LaserLink::Kind::Lms1xx);
+  EXPECT_EQ(laser("").address, "tcp:10.0.0.2:2111");
+  EXPECT_EQ(laser("").resolution, 50);
+  EXPECT_EQ(laser(", resolution_deg: 0.25").resolution, 25);
+}
+
 TEST(Rig, WithoutDevicesItIsSimulated)
 {
   EXPECT_FALSE(parseRig(kFiles, "rig.yaml").devices);
@@ -123,6 +137,8 @@ TEST(Rig, RefusalsOfDevicesNameFileKeyAndValue)
       {"base: {address: x, baud: -1}\n" + kLaser + kCapture, "'base.baud' is '-1'"},
       {kBase + "laser: {kind: radar}\n" + kCapture, "'laser.kind' is 'radar'; one of lms200"},
       {kBase + "laser: {kind: lms200}\n" + kCapture, "'laser.address' is missing"},
+      {kBase + "laser: {kind: lms1xx, address: x, baud: 1}\n" + kCapture,
+       "unknown key 'laser.baud'"},
       {kBase + "laser: {kind: on_base, baud: 1}\n" + kCapture, "unknown key 'laser.baud'"},
       {kBase + kLaser + "capture: {kind: eye, source: x}\n", "'capture.kind' is 'eye'"},
       {kBase + kLaser + kCapture + "clock_rate: 0\n", "'clock_rate' is '0'"},

@@ -175,11 +175,16 @@ LaserLink laserLink(const YAML::Node &root, const std::string &origin)
   using Kind = LaserLink::Kind;
   Section section(root, "laser", origin);
   LaserLink laser;
-  laser.kind = section.choice<Kind>("kind", {{"lms200", Kind::Lms200}, {"on_base", Kind::OnBase}});
+  laser.kind = section.choice<Kind>(
+      "kind", {{"lms200", Kind::Lms200}, {"lms1xx", Kind::Lms1xx}, {"on_base", Kind::OnBase}});
   if (laser.kind == Kind::Lms200) {
-    laser.address = section.text("address");
     laser.baud = static_cast<int>(section.number("baud", laser.baud));
-    laser.resolution = static_cast<int>(std::lround(100.0 * section.number("resolution_deg", 1.0)));
+  }
+  if (laser.kind != Kind::OnBase) {
+    laser.address = section.text("address");
+    const double usual = laser.kind == Kind::Lms1xx ? 0.5 : 1.0;
+    laser.resolution =
+        static_cast<int>(std::lround(100.0 * section.number("resolution_deg", usual)));
   }
   laser.period = section.number("period_s", laser.period);
   section.refuseOthers();

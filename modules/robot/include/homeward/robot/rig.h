@@ -32,12 +32,13 @@ struct LaserLink
   enum class Kind
   {
     Lms200, ///< SICK LMS-2xx on a serial line
+    Lms1xx, ///< SICK LMS1xx on Ethernet
     OnBase  ///< laser packets of a simulated robot, on the base's own connection
   };
   Kind kind = Kind::Lms200;
-  std::string address;  ///< path of the serial line
-  int baud = 38400;     ///< at which it measures
-  int resolution = 100; ///< hundredths of a degree
+  std::string address;  ///< path of the serial line, or `tcp:HOST:PORT` of a LMS1xx
+  int baud = 38400;     ///< at which a LMS-2xx measures
+  int resolution = 100; ///< hundredths of a degree; 50 of a LMS1xx unless set
   double period = 0.1;  ///< seconds between its scans
 };
 
@@ -87,8 +88,9 @@ Limits parseLimits(const std::string &yaml, const std::string &origin);
  * Reads a rig file: `robot: FILE`, `camera: FILE`, `limits: {...}` with the keys of parseLimits().
  * A rig of real devices has also
  * - `base: {address: tcp:HOST:PORT or /dev/..., baud: N, period_s: S}`,
- * - `laser: {kind: lms200 or on_base, address: /dev/..., baud: N, resolution_deg: 1, 0.5 or 0.25,
- *   period_s: S}`,
+ * - `laser: {kind: lms200, address: /dev/..., baud: N, resolution_deg: 1, 0.5 or 0.25, period_s:
+ *   S}`, or `{kind: lms1xx, address: tcp:HOST:2111, resolution_deg: 0.5 or 0.25, period_s: S}`, or
+ *   `{kind: on_base, period_s: S}`,
  * - `capture: {kind: stream, v4l2, files or film, source: ..., period_s: S, latency_s: S}`,
  * - and, where a simulated robot lives faster than we do, `clock_rate: N`.
  *
