@@ -14,12 +14,12 @@ namespace homeward
 namespace
 {
 
-int deviceNumber(const std::string &text)
+int deviceNumber(const std::string &text, const std::string &what)
 {
   int number = -1;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
   if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || number < 0) {
-    throw ConfigError("'capture.source' is '" + text + "'; the N of /dev/videoN is expected");
+    throw ConfigError("'capture.source' is '" + text + "'; the N of " + what + " is expected");
   }
   return number;
 }
@@ -29,7 +29,10 @@ std::unique_ptr<ImageSource> source(const CaptureLink &link, const std::filesyst
   const std::string file = (rigFile.parent_path() / link.source).lexically_normal().string();
   switch (link.kind) {
   case CaptureLink::Kind::V4l2:
-    return openV4l2Camera(deviceNumber(link.source));
+    return openV4l2Camera(deviceNumber(link.source, "/dev/videoN"), {link.exposure, link.gain});
+  case CaptureLink::Kind::Firewire:
+    return openFirewireCamera(deviceNumber(link.source, "the Nth camera of the bus, from 0"),
+                              {link.shutter, link.gain});
   case CaptureLink::Kind::Files:
     return std::make_unique<FolderCamera>(file, 0);
   case CaptureLink::Kind::Film:

@@ -116,6 +116,20 @@ TEST(Rig, ReadsALaserOnEthernet)
   EXPECT_EQ(laser(", resolution_deg: 0.25").resolution, 25);
 }
 
+TEST(Rig, ReadsExposureAndGain)
+{
+  const auto capture = [](const std::string &keys) {
+    return parseRig(kFiles + kBase + kLaser + "capture: {source: 0, " + keys + "}\n", "rig.yaml")
+        .devices->capture;
+  };
+  EXPECT_FALSE(capture("kind: v4l2").exposure);
+  EXPECT_FALSE(capture("kind: v4l2").gain);
+  EXPECT_DOUBLE_EQ(*capture("kind: v4l2, exposure_ms: 8.5, gain: 0").exposure, 0.0085);
+  EXPECT_EQ(capture("kind: v4l2, exposure_ms: 8.5, gain: 0").gain, 0);
+  EXPECT_EQ(capture("kind: firewire, shutter: 400").kind, CaptureLink::Kind::Firewire);
+  EXPECT_EQ(capture("kind: firewire, shutter: 400").shutter, 400);
+}
+
 TEST(Rig, WithoutDevicesItIsSimulated)
 {
   EXPECT_FALSE(parseRig(kFiles, "rig.yaml").devices);
@@ -141,6 +155,14 @@ TEST(Rig, RefusalsOfDevicesNameFileKeyAndValue)
        "unknown key 'laser.baud'"},
       {kBase + "laser: {kind: on_base, baud: 1}\n" + kCapture, "unknown key 'laser.baud'"},
       {kBase + kLaser + "capture: {kind: eye, source: x}\n", "'capture.kind' is 'eye'"},
+      {kBase + kLaser + "capture: {kind: v4l2, source: 0, exposure_ms: 0}\n",
+       "'capture.exposure_ms' is '0'"},
+      {kBase + kLaser + "capture: {kind: v4l2, source: 0, gain: -1}\n", "'capture.gain' is '-1'"},
+      {kBase + kLaser + "capture: {kind: v4l2, source: 0, gain: 1.5}\n", "'capture.gain' is '1.5'"},
+      {kBase + kLaser + "capture: {kind: stream, source: x, gain: 1}\n",
+       "unknown key 'capture.gain'"},
+      {kBase + kLaser + "capture: {kind: v4l2, source: 0, shutter: 1}\n",
+       "unknown key 'capture.shutter'"},
       {kBase + kLaser + kCapture + "clock_rate: 0\n", "'clock_rate' is '0'"},
   };
   for (const auto &[yaml, culprit] : cases) {

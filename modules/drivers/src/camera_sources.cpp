@@ -74,10 +74,14 @@ private:
 class V4l2Camera final : public ImageSource
 {
 public:
-  explicit V4l2Camera(int device) : m_name("/dev/video" + std::to_string(device))
+  V4l2Camera(int device, const V4l2Settings &settings)
+      : m_name("/dev/video" + std::to_string(device))
   {
     if (!std::filesystem::exists(m_name)) {
       throw ConfigError(m_name + ": no such camera; is it plugged in?");
+    }
+    if (settings.exposure || settings.gain) {
+      setV4l2Controls(settings, m_name);
     }
     try {
       m_grabber.setDevice(m_name);
@@ -114,11 +118,12 @@ std::unique_ptr<ImageSource> openStreamCamera(const std::string &url, const Stre
   return std::make_unique<StreamCamera>(url, options);
 }
 
-std::unique_ptr<ImageSource> openV4l2Camera(int device)
+std::unique_ptr<ImageSource> openV4l2Camera(int device, const V4l2Settings &settings)
 {
 #ifdef VISP_HAVE_V4L2
-  return std::make_unique<V4l2Camera>(device);
+  return std::make_unique<V4l2Camera>(device, settings);
 #else
+  static_cast<void>(settings);
   throw ConfigError("camera " + std::to_string(device) + ": this ViSP has no Video4Linux");
 #endif
 }

@@ -114,10 +114,27 @@ public:
     return value.Scalar();
   }
 
-  double number(const std::string &key, double fallback)
+  double number(const std::string &key, double fallback) { return number(key).value_or(fallback); }
+
+  std::optional<double> number(const std::string &key)
   {
     const YAML::Node value = take(key);
-    return value ? positive(value, m_name + "." + key, m_origin) : fallback;
+    return value ? std::optional(positive(value, m_name + "." + key, m_origin)) : std::nullopt;
+  }
+
+  /** A whole number from 0 on. */
+  std::optional<int> count(const std::string &key)
+  {
+    const YAML::Node value = take(key);
+    int number = -1;
+    if (!value) {
+      return std::nullopt;
+    }
+    if (!value.IsScalar() || !YAML::convert<int>::decode(value, number) || number < 0) {
+      throw ConfigError(m_origin + ": '" + m_name + "." + key + "' is " + shown(value) +
+                        "; a whole number from 0 on is expected");
+    }
+    return number;
   }
 
   /** The value that the text of a key stands for. */
@@ -198,11 +215,23 @@ CaptureLink captureLink(const YAML::Node &root, const std::string &origin)
   CaptureLink capture;
   capture.kind = section.choice<Kind>("kind", {{"stream", Kind::Stream},
                                                {"v4l2", Kind::V4l2},
+                                               {"firewire", Kind::Firewire},
                                                {"files", Kind::Files},
                                                {"film", Kind::Film}});
   capture.source = section.text("source");
   capture.period = section.number("period_s", capture.period);
   capture.latency = section.number("latency_s", capture.latency);
+  if (capture.kind == Kind::V4l2) {
+    if (const std::optional<double> milliseconds = section.number("exposure_ms")) {
+      capture.exposure = *milliseconds / 1000.0;
+    }
+  }
+  if (capture.kind == Kind::Firewire) {
+    capture.shutter = section.count("shutter");
+  }
+  if (capture.kind == Kind::V4l2 || capture.kind == Kind::Firewire) {
+    capture.gain = section.count("gain");
+  }
   section.refuseOthers();
   return capture;
 }

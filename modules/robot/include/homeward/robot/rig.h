@@ -47,15 +47,19 @@ struct CaptureLink
 {
   enum class Kind
   {
-    Stream, ///< a URL: MJPEG over HTTP, RTSP
-    V4l2,   ///< number of a Video4Linux device
-    Files,  ///< numbered pictures, `pictures/%04d.png`
-    Film    ///< a film file
+    Stream,   ///< a URL: MJPEG over HTTP, RTSP
+    V4l2,     ///< number of a Video4Linux device
+    Firewire, ///< number of a camera on the FireWire bus
+    Files,    ///< numbered pictures, `pictures/%04d.png`
+    Film      ///< a film file
   };
   Kind kind = Kind::Stream;
   std::string source;
-  double period = 0.1;  ///< seconds between pictures
-  double latency = 0.0; ///< seconds from the light to the picture's arrival
+  double period = 0.1;            ///< seconds between pictures
+  double latency = 0.0;           ///< seconds from the light to the picture's arrival
+  std::optional<double> exposure; ///< seconds, of a Video4Linux camera
+  std::optional<int> shutter;     ///< of a FireWire camera, in its counts
+  std::optional<int> gain;        ///< of either, in its counts
 };
 
 /** The real devices of a robot. */
@@ -91,7 +95,8 @@ Limits parseLimits(const std::string &yaml, const std::string &origin);
  * - `laser: {kind: lms200, address: /dev/..., baud: N, resolution_deg: 1, 0.5 or 0.25, period_s:
  *   S}`, or `{kind: lms1xx, address: tcp:HOST:2111, resolution_deg: 0.5 or 0.25, period_s: S}`, or
  *   `{kind: on_base, period_s: S}`,
- * - `capture: {kind: stream, v4l2, files or film, source: ..., period_s: S, latency_s: S}`,
+ * - `capture: {kind: stream, v4l2, firewire, files or film, source: ..., period_s: S, latency_s:
+ *   S}`, for v4l2 also `exposure_ms: M` and `gain: N`, for firewire `shutter: N` and `gain: N`,
  * - and, where a simulated robot lives faster than we do, `clock_rate: N`.
  *
  * @param yaml its text
