@@ -22,6 +22,12 @@ pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 
+# Optional: lasers that MRPT drives. Last, since what it depends on looks for much.
+find_package(mrpt-hwdrivers QUIET)
+if(NOT mrpt-hwdrivers_FOUND)
+  message(STATUS "No MRPT drivers (Debian: libmrpt-hwdrivers-dev): mrpt_lasers, for Hokuyo lasers, is left out")
+endif()
+
 # Packages without (namespaced) targets get one, so that module lines read alike.
 add_library(homeward_urdfdom INTERFACE)
 target_link_libraries(homeward_urdfdom INTERFACE ${urdfdom_LIBRARIES})

@@ -7,6 +7,10 @@
 #include <homeward/drivers/recorded_camera.h>
 #include <homeward/drivers/sick_laser.h>
 
+#ifdef HOMEWARD_MRPT_LASERS
+#include <homeward/mrpt_lasers/mrpt_lasers.h>
+#endif
+
 #include <charconv>
 
 namespace homeward
@@ -60,6 +64,22 @@ std::unique_ptr<LaserScanner> colaLaser(const DeviceLinks &links)
   return std::make_unique<ColaLaser>(openStream(links.laser.address, 0), options);
 }
 
+#ifdef HOMEWARD_MRPT_LASERS
+std::unique_ptr<LaserScanner> hokuyo(const DeviceLinks &links)
+{
+  MrptLaserOptions options;
+  options.clockRate = links.clockRate;
+  return openHokuyo(links.laser.address, options);
+}
+#else
+std::unique_ptr<LaserScanner> hokuyo(const DeviceLinks & /*links*/)
+{
+  throw ConfigError(
+      "'laser.kind' is 'hokuyo', but this program was built without MRPT, which drives "
+      "it; install libmrpt-hwdrivers-dev and build again");
+}
+#endif
+
 } // namespace
 
 std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files)
@@ -83,6 +103,8 @@ std::unique_ptr<LaserScanner> connectLaser(const RobotFiles &files)
     return sickLaser(links);
   case LaserLink::Kind::Lms1xx:
     return colaLaser(links);
+  case LaserLink::Kind::Hokuyo:
+    return hokuyo(links);
   case LaserLink::Kind::OnBase:
     break;
   }

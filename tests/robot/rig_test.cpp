@@ -114,6 +114,10 @@ TEST(Rig, ReadsALaserOnEthernet)
   EXPECT_EQ(laser("").address, "tcp:10.0.0.2:2111");
   EXPECT_EQ(laser("").resolution, 50);
   EXPECT_EQ(laser(", resolution_deg: 0.25").resolution, 25);
+  EXPECT_EQ(parseRig(kFiles + kBase + "laser: {kind: hokuyo, address: /dev/ttyACM0}\n" + kCapture,
+                     "rig.yaml")
+                .devices->laser.kind,
+            LaserLink::Kind::Hokuyo);
 }
 
 TEST(Rig, ReadsExposureAndGain)
@@ -151,8 +155,18 @@ TEST(Rig, RefusalsOfDevicesNameFileKeyAndValue)
       {"base: {address: x, baud: -1}\n" + kLaser + kCapture, "'base.baud' is '-1'"},
       {kBase + "laser: {kind: radar}\n" + kCapture, "'laser.kind' is 'radar'; one of lms200"},
       {kBase + "laser: {kind: lms200}\n" + kCapture, "'laser.address' is missing"},
+      {kBase + "laser: {kind: lms200, address: x, baud: 4e77}\n" + kCapture,
+       "'laser.baud' is '4e77'"},
+      {kBase + "laser: {kind: lms200, address: x, baud: 38400000000000000}\n" + kCapture,
+       "'laser.baud' is '38400000000000000'"},
+      {kBase + "laser: {kind: lms200, address: x, resolution_deg: 0.25}\n" + kCapture,
+       "'laser.resolution_deg' is '0.25'"},
+      {kBase + "laser: {kind: lms1xx, address: x, resolution_deg: 1e77}\n" + kCapture,
+       "'laser.resolution_deg' is '1e77'"},
       {kBase + "laser: {kind: lms1xx, address: x, baud: 1}\n" + kCapture,
        "unknown key 'laser.baud'"},
+      {kBase + "laser: {kind: hokuyo, address: x, resolution_deg: 1}\n" + kCapture,
+       "unknown key 'laser.resolution_deg'"},
       {kBase + "laser: {kind: on_base, baud: 1}\n" + kCapture, "unknown key 'laser.baud'"},
       {kBase + kLaser + "capture: {kind: eye, source: x}\n", "'capture.kind' is 'eye'"},
       {kBase + kLaser + "capture: {kind: v4l2, source: 0, exposure_ms: 0}\n",

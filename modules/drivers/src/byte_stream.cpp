@@ -198,10 +198,10 @@ std::unique_ptr<ByteStream> openSerial(const std::string &path, int baud)
   return stream;
 }
 
-std::unique_ptr<ByteStream> openStream(const std::string &address, int baud)
+std::optional<TcpAddress> parseTcpAddress(const std::string &address)
 {
   if (address.starts_with('/')) {
-    return openSerial(address, baud);
+    return std::nullopt;
   }
   constexpr std::string_view kTcp = "tcp:";
   const std::size_t colon = address.rfind(':');
@@ -210,11 +210,17 @@ std::unique_ptr<ByteStream> openStream(const std::string &address, int baud)
     const char *end = address.data() + address.size();
     const auto parsed = std::from_chars(address.data() + colon + 1, end, port);
     if (parsed.ec == std::errc() && parsed.ptr == end && port > 0 && port < 65536) {
-      return connectTcp(address.substr(kTcp.size(), colon - kTcp.size()), port);
+      return TcpAddress{address.substr(kTcp.size(), colon - kTcp.size()), port};
     }
   }
   throw ConfigError("address '" + address +
                     "': 'tcp:HOST:PORT' or the path of a serial line is expected");
+}
+
+std::unique_ptr<ByteStream> openStream(const std::string &address, int baud)
+{
+  const std::optional<TcpAddress> tcp = parseTcpAddress(address);
+  return tcp ? connectTcp(tcp->host, tcp->port) : openSerial(address, baud);
 }
 
 } // namespace homeward

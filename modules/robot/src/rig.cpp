@@ -122,19 +122,34 @@ public:
     return value ? std::optional(positive(value, m_name + "." + key, m_origin)) : std::nullopt;
   }
 
-  /** A whole number from 0 on. */
-  std::optional<int> count(const std::string &key)
+  /** A whole number from `least` on. */
+  std::optional<int> count(const std::string &key, int least)
   {
     const YAML::Node value = take(key);
     int number = -1;
     if (!value) {
       return std::nullopt;
     }
-    if (!value.IsScalar() || !YAML::convert<int>::decode(value, number) || number < 0) {
+    if (!value.IsScalar() || !YAML::convert<int>::decode(value, number) || number < least) {
       throw ConfigError(m_origin + ": '" + m_name + "." + key + "' is " + shown(value) +
-                        "; a whole number from 0 on is expected");
+                        "; a whole number from " + std::to_string(least) + " on is expected");
     }
     return number;
+  }
+
+  /** A number that is one of some hundredths, in hundredths; the first of them unless it is there.
+   */
+  int hundredths(const std::string &key, const std::vector<int> &choices)
+  {
+    constexpr double kNear = 1e-6;
+    const double value = 100.0 * number(key, choices.front() / 100.0);
+    for (const int choice : choices) {
+      if (std::abs(value - choice) < kNear) {
+        return choice;
+      }
+    }
+    throw ConfigError(m_origin + ": '" + m_name + "." + key + "' is " + shown(m_node[key]) +
+                      "; this laser has not got that resolution");
   }
 
   /** The value that the text of a key stands for. */
@@ -181,7 +196,7 @@ BaseLink baseLink(const YAML::Node &root, const std::string &origin)
   Section section(root, "base", origin);
   BaseLink base;
   base.address = section.text("address");
-  base.baud = static_cast<int>(section.number("baud", base.baud));
+  base.baud = section.count("baud", 1).value_or(base.baud);
   base.period = section.number("period_s", base.period);
   section.refuseOthers();
   return base;
@@ -192,16 +207,21 @@ LaserLink laserLink(const YAML::Node &root, const std::string &origin)
   using Kind = LaserLink::Kind;
   Section section(root, "laser", origin);
   LaserLink laser;
-  laser.kind = section.choice<Kind>(
-      "kind", {{"lms200", Kind::Lms200}, {"lms1xx", Kind::Lms1xx}, {"on_base", Kind::OnBase}});
+  laser.kind = section.choice<Kind>("kind", {{"lms200", Kind::Lms200},
+                                             {"lms1xx", Kind::Lms1xx},
+                                             {"hokuyo", Kind::Hokuyo},
+                                             {"on_base", Kind::OnBase}});
   if (laser.kind == Kind::Lms200) {
-    laser.baud = static_cast<int>(section.number("baud", laser.baud));
+    laser.baud = section.count("baud", 1).value_or(laser.baud);
   }
   if (laser.kind != Kind::OnBase) {
     laser.address = section.text("address");
-    const double usual = laser.kind == Kind::Lms1xx ? 0.5 : 1.0;
-    laser.resolution =
-        static_cast<int>(std::lround(100.0 * section.number("resolution_deg", usual)));
+  }
+  if (laser.kind == Kind::Lms200) {
+    laser.resolution = section.hundredths("resolution_deg", {100, 50});
+  }
+  if (laser.kind == Kind::Lms1xx) {
+    laser.resolution = section.hundredths("resolution_deg", {50, 25});
   }
   laser.period = section.number("period_s", laser.period);
   section.refuseOthers();
@@ -227,10 +247,10 @@ CaptureLink captureLink(const YAML::Node &root, const std::string &origin)
     }
   }
   if (capture.kind == Kind::Firewire) {
-    capture.shutter = section.count("shutter");
+    capture.shutter = section.count("shutter", 0);
   }
   if (capture.kind == Kind::V4l2 || capture.kind == Kind::Firewire) {
-    capture.gain = section.count("gain");
+    capture.gain = section.count("gain", 0);
   }
   section.refuseOthers();
   return capture;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -46,6 +47,20 @@ std::unique_ptr<ByteStream> connectTcp(const std::string &host, int port,
 
 /** Opens a serial line raw, 8N1. @throw DeviceError naming path and reason */
 std::unique_ptr<ByteStream> openSerial(const std::string &path, int baud);
+
+/** A TCP port of a host. */
+struct TcpAddress
+{
+  std::string host;
+  int port = 0;
+};
+
+/**
+ * What an address names.
+ * @return nothing for the path of a serial line, which starts with a slash
+ * @throw ConfigError when it is neither that nor `tcp:HOST:PORT`
+ */
+std::optional<TcpAddress> parseTcpAddress(const std::string &address);
 
 /**
  * Opens what an address names: `tcp:HOST:PORT`, or the path of a serial line.

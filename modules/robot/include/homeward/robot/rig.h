@@ -33,10 +33,11 @@ struct LaserLink
   {
     Lms200, ///< SICK LMS-2xx on a serial line
     Lms1xx, ///< SICK LMS1xx on Ethernet
+    Hokuyo, ///< a Hokuyo, on Ethernet or a serial line
     OnBase  ///< laser packets of a simulated robot, on the base's own connection
   };
   Kind kind = Kind::Lms200;
-  std::string address;  ///< path of the serial line, or `tcp:HOST:PORT` of a LMS1xx
+  std::string address;  ///< path of the serial line, or `tcp:HOST:PORT` of a LMS1xx or Hokuyo
   int baud = 38400;     ///< at which a LMS-2xx measures
   int resolution = 100; ///< hundredths of a degree; 50 of a LMS1xx unless set
   double period = 0.1;  ///< seconds between its scans
@@ -92,9 +93,10 @@ Limits parseLimits(const std::string &yaml, const std::string &origin);
  * Reads a rig file: `robot: FILE`, `camera: FILE`, `limits: {...}` with the keys of parseLimits().
  * A rig of real devices has also
  * - `base: {address: tcp:HOST:PORT or /dev/..., baud: N, period_s: S}`,
- * - `laser: {kind: lms200, address: /dev/..., baud: N, resolution_deg: 1, 0.5 or 0.25, period_s:
- *   S}`, or `{kind: lms1xx, address: tcp:HOST:2111, resolution_deg: 0.5 or 0.25, period_s: S}`, or
- *   `{kind: on_base, period_s: S}`,
+ * - `laser: {kind: lms200, address: /dev/..., baud: N, resolution_deg: 1 or 0.5, period_s: S}`, or
+ * `{kind: lms1xx, address: tcp:HOST:2111, resolution_deg: 0.5 or 0.25, period_s: S}`, or
+ *   `{kind: hokuyo, address: tcp:HOST:10940 or /dev/..., period_s: S}`, or `{kind: on_base,
+ *   period_s: S}`,
  * - `capture: {kind: stream, v4l2, firewire, files or film, source: ..., period_s: S, latency_s:
  *   S}`, for v4l2 also `exposure_ms: M` and `gain: N`, for firewire `shutter: N` and `gain: N`,
  * - and, where a simulated robot lives faster than we do, `clock_rate: N`.
