@@ -24,7 +24,8 @@ ColaScan measured()
   ColaScan scan;
   scan.startAngle = -450000;
   scan.angleStep = 5000;
-  for (const float range : simulator.laser().scan().value().ranges) {
+  const std::optional<Scan> seen = simulator.laser().scan();
+  for (const float range : seen.value().ranges) {
     scan.counts.push_back(std::isnan(range)
                               ? std::uint16_t{0}
                               : static_cast<std::uint16_t>(std::lround(1000.0F * range)));

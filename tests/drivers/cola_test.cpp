@@ -89,8 +89,9 @@ TEST(ColaScan, DistancesAreFoundAmongOtherThings)
   const std::string head = "sSN LMDscandata 1 1 A 0 0 1 2 10 20 0 0 0 0 0 1388 168 ";
   const std::string energies = "RSSI1 3F800000 0 FFF92230 1388 1 FE ";
   for (const std::string angle : {"FFF92230", "-450000"}) {
-    const auto scan = parseColaScan(head + "1 3E8 2 2 " + energies + "DIST1 40000000 0 " + angle +
-                                    " +2500 2 7D0 3 0 0 0 0 0 0");
+    std::string text = head;
+    text.append("1 3E8 2 2 ").append(energies).append("DIST1 40000000 0 ").append(angle);
+    const auto scan = parseColaScan(text.append(" +2500 2 7D0 3 0 0 0 0 0 0"));
     ASSERT_TRUE(scan);
     const Scan ranges = colaRanges(*scan, 20.0, {});
     EXPECT_NEAR(ranges.angleMin, radians(-135.0), 1e-9);

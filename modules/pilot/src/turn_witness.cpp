@@ -28,8 +28,9 @@ double misfit(const Scan &before, const Scan &after, int shift)
   double sum = 0.0;
   int pairs = 0;
   for (int i = std::max(0, -shift); i < std::min(count, count - shift); ++i) {
+    const int j = i + shift;
     const double difference = std::abs(after.ranges[static_cast<std::size_t>(i)] -
-                                       before.ranges[static_cast<std::size_t>(i + shift)]);
+                                       before.ranges[static_cast<std::size_t>(j)]);
     if (!std::isnan(difference)) {
       sum += std::min(difference, 1.0);
       ++pairs;

@@ -71,6 +71,11 @@ double positive(const YAML::Node &value, const std::string &key, const std::stri
   return number;
 }
 
+ConfigError unknownKey(const std::string &key, const std::string &origin)
+{
+  return ConfigError(origin + ": unknown key '" + key + "'");
+}
+
 /** @param prefix of every key in messages */
 Limits limits(const YAML::Node &node, const std::string &prefix, const std::string &origin)
 {
@@ -80,7 +85,7 @@ Limits limits(const YAML::Node &node, const std::string &prefix, const std::stri
     const auto *known = std::find_if(std::begin(kLimitKeys), std::end(kLimitKeys),
                                      [&](const LimitKey &each) { return key == each.key; });
     if (known == std::end(kLimitKeys)) {
-      throw ConfigError(origin + ": unknown key '" + prefix + key + "'");
+      throw unknownKey(prefix + key, origin);
     }
     result.*(known->member) = positive(entry.second, prefix + key, origin) * known->unit;
   }
@@ -173,7 +178,7 @@ public:
     for (const auto &entry : m_node) {
       const std::string key = entry.first.Scalar();
       if (!m_taken.contains(key)) {
-        throw ConfigError(m_origin + ": unknown key '" + m_name + "." + key + "'");
+        throw unknownKey(m_name + "." + key, m_origin);
       }
     }
   }
@@ -296,7 +301,7 @@ Rig parseRig(const std::string &yaml, const std::string &origin)
       real = true;
     }
     else {
-      throw ConfigError(origin + ": unknown key '" + key + "'");
+      throw unknownKey(key, origin);
     }
   }
   if (rig.robot.empty() || rig.camera.empty()) {

@@ -25,7 +25,8 @@ std::vector<int> measured()
   Simulator simulator(share(contractRoom()), testRobot(), testCamera(), options);
   simulator.clock().sleepUntil(Time(std::chrono::milliseconds(200)));
   std::vector<int> millimetres;
-  for (const float range : simulator.laser().scan().value().ranges) {
+  const std::optional<Scan> seen = simulator.laser().scan();
+  for (const float range : seen.value().ranges) {
     millimetres.push_back(std::isnan(range) ? 0 : static_cast<int>(std::lround(1000.0F * range)));
   }
   return millimetres;
