@@ -6,17 +6,23 @@
 #include "fake_device.h"
 
 #include <algorithm>
+#include <termios.h>
 #include <vector>
 
 namespace homeward
 {
 
-/** A robot that shakes hands, believes its orders and sends a SIP every 20 ms. */
+/**
+ * A robot that shakes hands, believes its orders and sends a SIP every 20 ms. Over a
+ * pseudo-terminal it may have a speed: at any other that its client has set, both hear only noise.
+ */
 class FakePioneer final : public FakeDevice
 {
 public:
-  explicit FakePioneer(int descriptor, std::string subclass = "p3at-sh", bool open = false)
-      : FakeDevice(descriptor), m_subclass(std::move(subclass)), m_open(open)
+  explicit FakePioneer(int descriptor, std::string subclass = "p3at-sh", bool open = false,
+                       speed_t speed = B0)
+      : FakeDevice(descriptor), m_descriptor(descriptor), m_speed(speed),
+        m_subclass(std::move(subclass)), m_open(open)
   {
     start();
   }
@@ -36,6 +42,13 @@ public:
     });
   }
 
+  /** Whether such a command has come so far. */
+  bool hasHeard(const ArcosPacket &command)
+  {
+    const std::lock_guard lock(m_mutex);
+    return std::find(m_heard.begin(), m_heard.end(), command) != m_heard.end();
+  }
+
   void forget()
   {
     const std::lock_guard lock(m_mutex);
@@ -49,16 +62,31 @@ public:
     m_silent = true;
   }
 
+  /** Goes over the counters of the wheels that it has driven. */
+  void setPosition(std::uint16_t x)
+  {
+    const std::lock_guard lock(m_mutex);
+    m_sip.x = x;
+  }
+
   void setSonars(std::vector<ArcosSonar> sonars)
   {
     const std::lock_guard lock(m_mutex);
     m_sip.sonars = std::move(sonars);
   }
 
-  void setStalled()
+  /** See ArcosSip::stall. */
+  void setStall(std::uint16_t bits)
   {
     const std::lock_guard lock(m_mutex);
-    m_sip.stall = 0x0101;
+    m_sip.stall = bits;
+  }
+
+  /** See ArcosSip::flags. */
+  void setFlags(std::uint16_t bits)
+  {
+    const std::lock_guard lock(m_mutex);
+    m_sip.flags = bits;
   }
 
 private:
@@ -66,7 +94,7 @@ private:
 
   void serve(std::span<const std::uint8_t> bytes, Time now) override
   {
-    m_reader.push(bytes, now);
+    m_reader.push(overTheLine(bytes), now);
     while (const std::optional<ArcosPacket> packet = m_reader.next()) {
       m_heard.push_back(*packet);
       obey(*packet);
@@ -74,8 +102,21 @@ private:
     if (m_open && !m_silent && now - m_lastSip >= kCycle) {
       m_lastSip = now;
       m_sip.x = static_cast<std::uint16_t>(m_sip.x + m_sip.leftSpeed / 50);
-      send(frameArcos(encodeSip(m_sip)));
+      send(overTheLine(frameArcos(encodeSip(m_sip))));
     }
+  }
+
+  /** What arrives of bytes; a pseudo-terminal's device sees the speed that the client has set. */
+  Bytes overTheLine(std::span<const std::uint8_t> bytes) const
+  {
+    Bytes arrived(bytes.begin(), bytes.end());
+    termios line{};
+    if (m_speed != B0 && ::tcgetattr(m_descriptor, &line) == 0 && ::cfgetospeed(&line) != m_speed) {
+      for (std::uint8_t &byte : arrived) {
+        byte = static_cast<std::uint8_t>(byte << 1U | 0x81U);
+      }
+    }
+    return arrived;
   }
 
   void obey(const ArcosPacket &packet)
@@ -89,14 +130,19 @@ private:
       }
       else if (is(ArcosCommand::Sync2)) {
         m_synced = true;
-        send(frameArcos(encodeIdentity({"fake", "Pioneer", m_subclass})));
+        send(overTheLine(frameArcos(encodeIdentity({"fake", "Pioneer", m_subclass}))));
       }
       else {
-        send(frameArcos(packet));
+        send(overTheLine(frameArcos(packet)));
       }
     }
     else if (is(ArcosCommand::Close)) {
       m_open = m_synced = false;
+    }
+    else if (is(ArcosCommand::Enable)) {
+      const bool on = arcosArgument(packet).value_or(0) != 0 && !m_sip.emergencyStop();
+      m_sip.flags = static_cast<std::uint16_t>((m_sip.flags & ~ArcosSip::kMotorsOn) |
+                                               (on ? ArcosSip::kMotorsOn : 0));
     }
     else if (is(ArcosCommand::Vel)) {
       const auto speed = static_cast<std::int16_t>(arcosArgument(packet).value_or(0));
@@ -104,6 +150,8 @@ private:
     }
   }
 
+  int m_descriptor;
+  speed_t m_speed; ///< B0: any
   std::string m_subclass;
   bool m_open;
   bool m_synced = false;

@@ -86,21 +86,6 @@ TEST(PioneerBase, VelocityIsWholeUnitsWithinTheLimits)
   EXPECT_THROW(base.drive({0.0, std::numeric_limits<double>::infinity()}), LogicError);
 }
 
-TEST(PioneerBase, QuantisingTwiceIsQuantisingOnce)
-{
-  const Limits limits = quickOptions().limits;
-  for (double v = -0.5; v < 0.5; v += 0.0137) {
-    const Twist2 once = quantiseForPioneer({v, 2.0 * v}, limits);
-    const Twist2 twice = quantiseForPioneer(once, limits);
-    EXPECT_EQ(once.v, twice.v);
-    EXPECT_EQ(once.w, twice.w);
-    EXPECT_LE(std::abs(once.v), limits.maxSpeed);
-    if (std::abs(v) < limits.maxSpeed) {
-      EXPECT_NEAR(once.v, v, 0.5e-3 + 1e-12);
-    }
-  }
-}
-
 TEST(PioneerBase, StopsWhenNobodyDrivesAnyMore)
 {
   Line line = tcpLine();
@@ -152,7 +137,7 @@ TEST(PioneerBase, SaysWhenItsWheelsAreHeld)
   FakePioneer robot(line.device);
   PioneerBase base(std::move(line.driver), quickOptions());
   EXPECT_FALSE(base.state().stalled);
-  robot.setStalled();
+  robot.setStall(ArcosSip::kWheels);
   EXPECT_TRUE(soon([&] { return base.state().stalled; }));
 }
 

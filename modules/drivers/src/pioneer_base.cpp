@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace homeward
 {
@@ -39,27 +40,35 @@ int wholeDegrees(double angle)
 
 } // namespace
 
-Twist2 quantiseForPioneer(const Twist2 &twist, const Limits &limits)
-{
-  if (!std::isfinite(twist.v) || !std::isfinite(twist.w)) {
-    throw LogicError("velocity (" + std::to_string(twist.v) + " m/s, " + std::to_string(twist.w) +
-                     " rad/s) is not finite");
-  }
-  const double v = std::clamp(twist.v, -limits.maxSpeed, limits.maxSpeed);
-  const double w = std::clamp(twist.w, -limits.maxTurnRate, limits.maxTurnRate);
-  return {millimetres(v) / 1000.0, radians(wholeDegrees(w))};
-}
-
 PioneerBase::PioneerBase(std::unique_ptr<ByteStream> stream, const PioneerOptions &options)
     : m_options(options), m_stream(std::move(stream))
 {
-  m_identity = shakeHands(*m_stream, m_reader, m_options.answerTimeout);
+  connect();
+  start();
+  try {
+    enableMotors();
+  }
+  catch (const DeviceError &) { // halted, which state() tells
+  }
+}
+
+PioneerBase::~PioneerBase()
+{
+  disconnect();
+}
+
+void PioneerBase::connect()
+{
+  const ArcosConnection found =
+      shakeHands(*m_stream, m_reader, m_options.answerTimeout, m_options.bauds);
+  m_identity = found.identity;
+  m_baud = found.baud;
   const std::optional<ArcosUnits> units =
       m_options.units ? m_options.units : ArcosUnits::of(m_identity.subclass);
   if (!units) {
     sayGoodbye();
     throw DeviceError("robot '" + m_identity.name + "' is of subclass '" + m_identity.subclass +
-                      "', whose units are unknown; give them as PioneerOptions::units");
+                      "', whose units are unknown; name its ARIA parameter file");
   }
   m_units = *units;
   m_odometry = ArcosOdometry(m_units);
@@ -71,22 +80,28 @@ PioneerBase::PioneerBase(std::unique_ptr<ByteStream> stream, const PioneerOption
     sayGoodbye();
     throw;
   }
+}
+
+void PioneerBase::start()
+{
   m_thread = std::jthread([this](const std::stop_token &stop) { run(stop); });
 }
 
-PioneerBase::~PioneerBase()
+void PioneerBase::disconnect()
 {
   m_thread.request_stop();
   if (m_thread.joinable()) {
     m_thread.join();
   }
+  const std::lock_guard lock(m_writing);
   sayGoodbye();
+  m_stream.reset();
 }
 
 void PioneerBase::sayGoodbye()
 {
   try {
-    sendVelocity(0, 0);
+    sendZero();
     send(arcosCommand(ArcosCommand::Enable, 0));
     send(arcosCommand(ArcosCommand::Close, 1));
   }
@@ -94,9 +109,81 @@ void PioneerBase::sayGoodbye()
   }
 }
 
+void PioneerBase::reconnect(const OpenLine &open)
+{
+  disconnect();
+  {
+    const std::lock_guard lock(m_knowing);
+    m_failure = m_failure.empty() ? "it has not been reached again" : m_failure;
+    m_halt = "the link to it was lost and is back; its motors are off";
+    m_motorsOn = m_heard = false;
+    m_origin = m_state->odometry;
+  }
+  const ArcosIdentity known = m_identity;
+  const std::lock_guard lock(m_writing);
+  m_motorsWanted = false;
+  m_reader = ArcosReader();
+  m_stream = open();
+  try {
+    connect();
+    refuseAnother(known);
+  }
+  catch (const DeviceError &) {
+    sayGoodbye();
+    m_stream.reset();
+    m_identity = known;
+    throw;
+  }
+  {
+    const std::lock_guard knowing(m_knowing);
+    m_failure.clear();
+  }
+  start();
+}
+
+void PioneerBase::refuseAnother(const ArcosIdentity &known) const
+{
+  if (m_identity.name != known.name || m_identity.subclass != known.subclass) {
+    throw DeviceError("robot '" + m_identity.name + "' (" + m_identity.subclass +
+                      ") answers where '" + known.name + "' (" + known.subclass +
+                      ") was; start anew if that is meant");
+  }
+}
+
+void PioneerBase::enableMotors()
+{
+  {
+    const std::lock_guard lock(m_writing);
+    refuseWhenGone();
+    sendZero();
+    send(arcosCommand(ArcosCommand::Enable, 1));
+    m_motorsWanted = true;
+    const std::lock_guard knowing(m_knowing);
+    m_halt.clear();
+    m_motorsOn = false;
+  }
+  SteadyClock wall;
+  const Time deadline = wall.now() + m_options.answerTimeout;
+  while (wall.now() < deadline) {
+    {
+      const std::lock_guard lock(m_knowing);
+      if (m_motorsOn) {
+        return;
+      }
+    }
+    wall.sleepUntil(wall.now() + kTick);
+  }
+  const std::lock_guard lock(m_knowing);
+  m_halt = m_motorsOn ? m_halt : "its motors stay off; is its emergency stop pressed?";
+  if (!m_halt.empty()) {
+    throw DeviceError("robot '" + m_identity.name + "' does not drive: " + m_halt);
+  }
+}
+
 void PioneerBase::configure()
 {
   const Limits &limits = m_options.limits;
+  send(arcosCommand(ArcosCommand::Enable, 0)); // some have them on from the beginning
   send(arcosCommand(ArcosCommand::SetV, millimetres(limits.maxSpeed)));
   send(arcosCommand(ArcosCommand::SetA, millimetres(limits.acceleration)));
   send(arcosCommand(ArcosCommand::SetA, -millimetres(limits.deceleration)));
@@ -105,7 +192,6 @@ void PioneerBase::configure()
   send(arcosCommand(ArcosCommand::SetRa, -wholeDegrees(limits.turnAcceleration)));
   send(arcosCommand(ArcosCommand::Sonar, m_options.sonars.empty() ? 0 : 1));
   askForLaser();
-  send(arcosCommand(ArcosCommand::Enable, 1));
 }
 
 void PioneerBase::askForLaser()
@@ -122,7 +208,7 @@ void PioneerBase::askForLaser()
 void PioneerBase::awaitFirstPacket()
 {
   const Time deadline = m_clock.now() + m_options.silence;
-  while (!m_state) {
+  while (!m_heard) {
     if (m_clock.now() >= deadline) {
       throw DeviceError("robot '" + m_identity.name + "' opened but sends no packets");
     }
@@ -139,8 +225,12 @@ void PioneerBase::run(const std::stop_token &stop)
     }
   }
   catch (const std::exception &error) {
-    const std::lock_guard lock(m_knowing);
-    m_failure = error.what();
+    {
+      const std::lock_guard lock(m_knowing);
+      m_failure = error.what();
+    }
+    const std::lock_guard lock(m_writing);
+    sayGoodbye(); // where only one direction is broken it stands at once
   }
 }
 
@@ -204,10 +294,17 @@ void PioneerBase::take(const ArcosSip &sip, Time now)
     }
   }
   constexpr std::uint16_t kNoEcho = 5000; // mm, what the transducers report when nothing echoed
+  const Pose2 odometry = m_odometry.update(sip);
+  if (!std::exchange(m_heard, true)) {
+    m_origin = m_origin * odometry.inverse();
+  }
   m_state->stamp = now;
-  m_state->odometry = m_odometry.update(sip);
+  m_state->odometry = m_origin * odometry;
   m_state->velocity = arcosVelocity(sip, m_units);
   m_state->stalled = sip.wheelStalled();
+  m_state->bumpedAhead = sip.bumpedAhead();
+  m_state->bumpedBehind = sip.bumpedBehind();
+  heedSwitches(sip);
   for (const ArcosSonar &echo : sip.sonars) {
     if (echo.index < m_state->sonar.size()) {
       m_state->sonar[echo.index].range = echo.range >= kNoEcho
@@ -217,11 +314,33 @@ void PioneerBase::take(const ArcosSip &sip, Time now)
   }
 }
 
+void PioneerBase::heedSwitches(const ArcosSip &sip)
+{
+  if (sip.motorsOn() && !sip.emergencyStop()) {
+    m_motorsOn = true;
+  }
+  else if (m_motorsOn && m_halt.empty()) {
+    m_halt = sip.emergencyStop() ? "its emergency stop is pressed" : "its motors were switched off";
+  }
+}
+
+std::string PioneerBase::haltReason()
+{
+  const std::lock_guard lock(m_knowing);
+  return m_halt;
+}
+
 void PioneerBase::keepAwake(Time now)
 {
   const std::lock_guard lock(m_writing);
-  if (m_commanded && now - m_lastCommand > m_options.commandLife) {
-    sendVelocity(0, 0);
+  if (m_motorsWanted && !haltReason().empty()) {
+    // Its own button may switch the motors on again: then it must want nothing.
+    sendZero();
+    send(arcosCommand(ArcosCommand::Enable, 0));
+    m_motorsWanted = false;
+  }
+  else if (m_commanded && now - m_lastCommand > m_options.commandLife) {
+    sendZero();
   }
   else if (now - m_lastSent > m_options.pulse) {
     send(arcosCommand(ArcosCommand::Pulse));
@@ -230,15 +349,24 @@ void PioneerBase::keepAwake(Time now)
 
 void PioneerBase::send(const ArcosPacket &command)
 {
+  if (!m_stream) {
+    throw DeviceError("robot '" + m_identity.name + "' is not connected");
+  }
   m_stream->write(frameArcos(command));
   m_lastSent = m_clock.now();
 }
 
-void PioneerBase::sendVelocity(int speed, int turnRate)
+void PioneerBase::sendVelocity(const WholeVelocity &velocity)
 {
-  m_commanded = speed != 0 || turnRate != 0;
-  send(arcosCommand(ArcosCommand::Vel, speed));
-  send(arcosCommand(ArcosCommand::RVel, turnRate));
+  send(arcosCommand(ArcosCommand::Vel, velocity.speed));
+  send(arcosCommand(ArcosCommand::RVel, velocity.turnRate));
+}
+
+void PioneerBase::sendZero()
+{
+  m_rounder.forget();
+  m_commanded = false;
+  sendVelocity({});
 }
 
 void PioneerBase::refuseWhenGone()
@@ -256,10 +384,15 @@ void PioneerBase::refuseWhenGone()
 
 void PioneerBase::drive(const Twist2 &twist)
 {
-  const Twist2 whole = quantiseForPioneer(twist, m_options.limits);
   refuseWhenGone();
+  const bool stands = twist.v == 0.0 && twist.w == 0.0;
   const std::lock_guard lock(m_writing);
-  sendVelocity(millimetres(whole.v), wholeDegrees(whole.w));
+  if (const std::string halt = haltReason(); !halt.empty() && !stands) {
+    throw DeviceError("robot '" + m_identity.name + "' does not drive: " + halt);
+  }
+  const WholeVelocity velocity = m_rounder.next(twist);
+  m_commanded = !stands;
+  sendVelocity(velocity);
   m_lastCommand = m_lastSent;
 }
 
@@ -267,7 +400,9 @@ BaseState PioneerBase::state()
 {
   refuseWhenGone();
   const std::lock_guard lock(m_knowing);
-  return *m_state;
+  BaseState state = *m_state;
+  state.halt = m_halt;
+  return state;
 }
 
 } // namespace homeward

@@ -5,6 +5,7 @@
 #include <homeward/drivers/steady_clock.h>
 
 #include <array>
+#include <string>
 
 namespace homeward
 {
@@ -58,31 +59,68 @@ void drain(ByteStream &stream, ArcosReader &reader, Duration span)
   }
 }
 
-} // namespace
-
-ArcosIdentity shakeHands(ByteStream &stream, ArcosReader &reader, Duration timeout)
+/** One try. @return what the robot says of itself, when it did. @param heard set by any packet */
+std::optional<ArcosIdentity> tryHands(ByteStream &stream, ArcosReader &reader, Duration timeout,
+                                      bool &heard)
 {
   constexpr std::array kSteps = {ArcosCommand::Sync0, ArcosCommand::Sync1, ArcosCommand::Sync2};
-  for (int attempt = 0; attempt < kTries; ++attempt) {
-    ArcosPacket packet;
-    Answer answer = Answer::Came;
-    for (std::size_t step = 0; step < kSteps.size() && answer == Answer::Came; ++step) {
-      stream.write(frameArcos(arcosCommand(kSteps[step])));
-      answer = await(stream, reader, static_cast<std::uint8_t>(kSteps[step]), timeout, packet);
-    }
-    if (answer == Answer::Came) {
-      if (std::optional<ArcosIdentity> identity = parseIdentity(packet)) {
-        drain(stream, reader, kPauseBeforeOpen);
-        stream.write(frameArcos(arcosCommand(ArcosCommand::Open, 1)));
-        return *identity;
-      }
-    }
-    if (answer == Answer::Streaming) {
-      stream.write(frameArcos(arcosCommand(ArcosCommand::Close, 1)));
+  ArcosPacket packet;
+  Answer answer = Answer::Came;
+  for (std::size_t step = 0; step < kSteps.size() && answer == Answer::Came; ++step) {
+    stream.write(frameArcos(arcosCommand(kSteps[step])));
+    answer = await(stream, reader, static_cast<std::uint8_t>(kSteps[step]), timeout, packet);
+    heard = heard || answer != Answer::None;
+  }
+  if (answer == Answer::Came) {
+    if (std::optional<ArcosIdentity> identity = parseIdentity(packet)) {
       drain(stream, reader, kPauseBeforeOpen);
+      stream.write(frameArcos(arcosCommand(ArcosCommand::Open, 1)));
+      return identity;
     }
   }
-  throw DeviceError("no Pioneer answers; is it on, and are cable, port and speed right?");
+  if (answer == Answer::Streaming) {
+    stream.write(frameArcos(arcosCommand(ArcosCommand::Close, 1)));
+    drain(stream, reader, kPauseBeforeOpen);
+  }
+  return std::nullopt;
+}
+
+std::string listed(const std::vector<int> &bauds)
+{
+  std::string text;
+  for (const int baud : bauds) {
+    text += (text.empty() ? "" : ", ") + std::to_string(baud);
+  }
+  return text;
+}
+
+} // namespace
+
+ArcosConnection shakeHands(ByteStream &stream, ArcosReader &reader, Duration timeout,
+                           const std::vector<int> &bauds)
+{
+  constexpr int kRounds = 2; // what came first may have been lost
+  const std::vector<int> speeds = bauds.empty() ? std::vector<int>{0} : bauds;
+  const bool one = speeds.size() == 1;
+  for (int round = 0; round < (one ? kTries : kRounds); ++round) {
+    for (const int baud : speeds) {
+      if (baud != 0) {
+        stream.setBaud(baud);
+      }
+      reader = ArcosReader();
+      bool heard = true;
+      for (int attempt = 0; attempt < kTries && heard; ++attempt) {
+        heard = false;
+        if (const auto identity = tryHands(stream, reader, timeout, heard)) {
+          return {*identity, baud};
+        }
+      }
+    }
+  }
+  throw DeviceError(
+      "no Pioneer answers" +
+      (one ? std::string("; is it on, and are cable, port and speed right?")
+           : " at " + listed(bauds) + " baud; is it on, and are cable and port right?"));
 }
 
 } // namespace homeward

@@ -4,6 +4,7 @@
 #include <homeward/core/pose2.h>
 #include <homeward/core/time.h>
 
+#include <string>
 #include <vector>
 
 namespace homeward
@@ -26,6 +27,10 @@ struct BaseState
   Twist2 velocity;              ///< measured
   bool stalled = false;         ///< wheels commanded but held
   std::vector<SonarEcho> sonar; ///< newest echo of every transducer; empty without sonar
+  bool bumpedAhead = false;     ///< a bumper at its front is pressed
+  bool bumpedBehind = false;    ///< a bumper at its rear is pressed
+  std::string halt;             ///< why it stands whatever it is told: "its emergency stop is
+                                ///< pressed"; empty while it drives
 };
 
 /** Something that drives. */

@@ -131,15 +131,26 @@ struct ArcosSip
   std::int16_t leftSpeed = 0;  ///< speed units
   std::int16_t rightSpeed = 0; ///< speed units
   std::uint8_t battery = 0;    ///< 0.1 V
-  std::uint16_t stall = 0;     ///< bit 0 left wheel, bit 8 right wheel, others bumpers
+  std::uint16_t stall = 0;     ///< wheels and bumpers that are held
   std::int16_t control = 0;    ///< heading set point, angle units
-  std::uint16_t flags = 0;     ///< bit 0 motors on, bits 1 to 4 sonar on, bit 5 emergency stop
+  std::uint16_t flags = 0;     ///< motors, sonar, emergency stop
   std::uint8_t compass = 0;    ///< 2 deg
   std::vector<ArcosSonar> sonars;
   std::optional<std::int16_t> turnRate; ///< 0.1 deg/s; old robots do not say
 
-  bool motorsOn() const { return (flags & 1U) != 0; }
-  bool wheelStalled() const { return (stall & 0x0101U) != 0; }
+  bool motorsOn() const { return (flags & kMotorsOn) != 0; }
+  bool emergencyStop() const { return (flags & kEmergencyStop) != 0; }
+  bool wheelStalled() const { return (stall & kWheels) != 0; }
+  bool bumpedAhead() const { return (stall & kFrontBumpers) != 0; }
+  bool bumpedBehind() const { return (stall & kRearBumpers) != 0; }
+
+  // Bits of `flags` and `stall`.
+  static constexpr std::uint16_t kMotorsOn = 0x0001;
+  static constexpr std::uint16_t kSonarOn = 0x001E;
+  static constexpr std::uint16_t kEmergencyStop = 0x0020;
+  static constexpr std::uint16_t kWheels = 0x0101;
+  static constexpr std::uint16_t kRearBumpers = 0x00FE;
+  static constexpr std::uint16_t kFrontBumpers = 0xFE00;
 
   bool operator==(const ArcosSip &) const = default;
 };
