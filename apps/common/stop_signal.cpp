@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stop_signal.h"
 
+#include "raw_terminal.h"
+
 #include <csignal>
 
 namespace homeward
@@ -11,11 +13,19 @@ namespace
 std::atomic<bool> stopWanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
+/** A second Ctrl-C ends it at once. */
+void onSecond(int number)
+{
+  RawTerminal::restoreNow();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
 void onSignal(int number)
 {
   stopWanted = true;
   if (number == SIGINT) {
-    std::signal(number, SIG_DFL); // a second Ctrl-C ends it at once
+    std::signal(number, onSecond);
   }
 }
 
@@ -27,6 +37,11 @@ const std::atomic<bool> &stopSignal()
     std::signal(number, onSignal);
   }
   return stopWanted;
+}
+
+void askToStop()
+{
+  stopWanted = true;
 }
 
 } // namespace homeward

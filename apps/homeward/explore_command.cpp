@@ -3,6 +3,7 @@
 #include "files.h"
 #include "mission_robot.h"
 #include "mission_setup.h"
+#include "operated.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
@@ -55,16 +56,13 @@ public:
     }
     m_pilot.onView = [this] { followView(); };
     rememberAll(m_file, m_pilot);
+    m_operator = makeOperator(*m_robot, arguments.robot);
   }
 
   Finish run()
   {
-    const Explorer explorer(explorerOptions(m_arguments.settings));
-    const auto enough = [this] { return seconds() > m_arguments.settings.maxTime; };
-    const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
-    const ExplorerState before = keptExploration(m_file).value_or(ExplorerState{});
-    Finish finish = runMission(explorer, explorer.resume(before, m_file.map()), m_pilot,
-                               m_file.map(), &m_file, m_devices.clock, m_counts, enough, onStep);
+    Finish finish =
+        runOperated(*m_robot, m_operator.get(), m_arguments.robot, [this] { return goOn(); });
     endProgress();
     m_file.close();
     return finish;
@@ -112,6 +110,17 @@ public:
   }
 
 private:
+  /** Explores on from what the map file holds, of a drive that broke off too. */
+  Finish goOn()
+  {
+    const Explorer explorer(explorerOptions(m_arguments.settings));
+    const auto enough = [this] { return seconds() > m_arguments.settings.maxTime; };
+    const auto onStep = [this](const Step<ExplorerState> &step) { follow(step); };
+    const ExplorerState before = keptExploration(m_file).value_or(ExplorerState{});
+    return runMission(explorer, explorer.resume(before, m_file.map()), m_pilot, m_file.map(),
+                      &m_file, m_devices.clock, m_counts, enough, onStep);
+  }
+
   std::optional<TruthLog> loadBefore() const
   {
     return m_arguments.resume ? loadTruthLog(truthLogFile(m_arguments.map)) : std::nullopt;
@@ -228,6 +237,7 @@ private:
   Pilot m_pilot;
   TruthLog m_truth;
   MissionCounts m_counts;
+  std::unique_ptr<OperatorInput> m_operator; ///< null in simulation
 };
 
 int explore(const ExploreArguments &arguments)

@@ -28,7 +28,7 @@ public:
 
   Devices devices() override { return m_robot.devices(); }
   const RobotFiles &files() const override { return m_robot.files(); }
-  bool runsByItself() const override { return false; }
+  RealRobot *real() override { return nullptr; }
   std::optional<SimulatedWorld> world() const override { return m_world; }
   std::optional<Truth> truth() const override { return m_robot.simulator().truth(); }
   const FreeSpace *freeSpace() override { return &m_robot.simulator().freeSpace(); }
@@ -52,7 +52,7 @@ public:
 
   Devices devices() override { return m_robot.devices(); }
   const RobotFiles &files() const override { return m_files; }
-  bool runsByItself() const override { return true; }
+  RealRobot *real() override { return &m_robot; }
 
   std::optional<SimulatedWorld> world() const override
   {
@@ -91,6 +91,14 @@ void addRobotArguments(CliCommand command, RobotArguments &arguments)
       .positive();
   command.option("--truth", arguments.truth,
                  "Judge the mission by what a pioneer-sim at this URL knows");
+  command.option(
+      "--joystick", arguments.joystick,
+      "/dev/input/jsN: any of its buttons stops a real robot (default: as the rig says)");
+  command
+      .option("--reconnect", arguments.reconnect,
+              "Tries to bring the lost base of a real robot back; then the key g goes on. 0: none")
+      .between(0, 1000)
+      .showDefault();
   addRestless(command, arguments.restless);
 }
 

@@ -14,6 +14,8 @@
 namespace homeward
 {
 
+class RealRobot;
+
 /** What is known of the world that a simulated robot stands in. */
 struct SimulatedWorld
 {
@@ -32,7 +34,10 @@ public:
   virtual const RobotFiles &files() const = 0;
 
   /** Whether time goes on while nobody asks for it. */
-  virtual bool runsByItself() const = 0;
+  bool runsByItself() { return real() != nullptr; }
+
+  /** The robot of a rig with devices; null in simulation. */
+  virtual RealRobot *real() = 0;
 
   virtual std::optional<SimulatedWorld> world() const = 0;
   virtual std::optional<Truth> truth() const = 0;
@@ -47,6 +52,8 @@ struct RobotArguments
   SimulationArguments simulation; ///< its rig may be a real one
   double clockRate = 0.0;         ///< 0: as the rig says
   std::string truth;              ///< URL of what pioneer-sim knows; empty: nothing is known
+  std::string joystick;           ///< stops the robot; empty: as the rig says
+  int reconnect = 8;              ///< tries to bring a lost base back; 0: a fault ends the mission
   std::size_t restless = 0;       ///< people who walk about while chairs get moved; 0: all is quiet
 };
 

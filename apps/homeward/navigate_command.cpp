@@ -4,6 +4,7 @@
 #include "mission_robot.h"
 #include "mission_setup.h"
 #include "navigation_goals.h"
+#include "operated.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
@@ -159,13 +160,17 @@ void sayWhatPicturesShow(const std::vector<NavigationGoal> &goals)
 
 /** Drives to the goals in turn, over and over, until somebody stops it. */
 Visits visitInTurn(const NavigateArguments &arguments, const std::vector<NavigationGoal> &goals,
-                   Navigation &navigation, const MissionRobot &robot,
-                   const std::optional<TruthLog> &log)
+                   Navigation &navigation, MissionRobot &robot, const std::optional<TruthLog> &log)
 {
+  const std::unique_ptr<OperatorInput> hands = makeOperator(robot, arguments.robot);
+  const auto driveTo = [&](NodeId node) {
+    return runOperated(robot, hands.get(), arguments.robot,
+                       [&] { return navigation.driveTo(node, arguments.maxTime); });
+  };
   Visits visits;
   for (int round = 0; arguments.repeat == 0 || round < arguments.repeat; ++round) {
     for (const NavigationGoal &goal : goals) {
-      Visit visit{&goal, navigation.driveTo(goal.node, arguments.maxTime), {}, {}};
+      Visit visit{&goal, driveTo(goal.node), {}, {}};
       endProgress();
       if (const std::optional<Truth> truth = robot.truth()) {
         visit.robot = truth->pose;

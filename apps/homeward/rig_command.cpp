@@ -4,6 +4,7 @@
 #include "mission_robot.h"
 #include "mission_setup.h"
 #include "mount_drive.h"
+#include "operated.h"
 #include "rig_check.h"
 #include "stop_signal.h"
 
@@ -96,6 +97,7 @@ int drive(const DriveArguments &arguments)
     throw RuntimeError("not confirmed: the robot has not moved");
   }
   const RobotFiles &files = robot->files();
+  const std::unique_ptr<OperatorInput> hands = makeOperator(*robot, arguments.robot);
   try {
     const DataSet set =
         driveForMount(robot->devices(), files.robot, files.camera, {}, stopSignal(),
@@ -119,6 +121,7 @@ void addDriveCommand(CliCommand rig)
   command.option("folder", arguments->folder, "Data set folder to write").required();
   addRobotArguments(command, arguments->robot);
   command.remove("--truth");
+  command.remove("--reconnect");
   command.run([arguments] { return drive(*arguments); });
 }
 

@@ -15,8 +15,10 @@ namespace homeward
 namespace
 {
 
-constexpr std::uint16_t kNoEcho = 5000; ///< mm
-constexpr std::uint8_t kBattery = 130;  ///< 0.1 V
+constexpr std::uint16_t kNoEcho = 5000;   ///< mm
+constexpr std::uint8_t kBattery = 130;    ///< 0.1 V
+constexpr unsigned kFrontBumper = 0x0800; ///< the middle one of five
+constexpr unsigned kRearBumper = 0x0008;  ///< likewise
 constexpr RangeWords kLaserWords{0, 32000};
 
 template <class Whole> Whole whole(double value)
@@ -114,7 +116,7 @@ void ArcosServer::obey(const ArcosPacket &packet, Time now)
     hangUp();
     break;
   case ArcosCommand::Enable:
-    m_motors = argument != 0;
+    m_motors = argument != 0 && !m_switches.emergencyStop && !m_switches.motorsOff;
     stopWanting();
     break;
   case ArcosCommand::SetO:
@@ -240,6 +242,18 @@ void ArcosServer::hangUp()
   m_limits = m_options.limits;
 }
 
+void ArcosServer::press(const PioneerSwitches &switches)
+{
+  m_switches = switches;
+  if (m_switches.emergencyStop || m_switches.motorsOff) {
+    m_motors = false;
+    stopWanting();
+  }
+  if (m_switches.emergencyStop) {
+    m_ramped = {};
+  }
+}
+
 std::vector<Bytes> ArcosServer::takeOutput()
 {
   return std::exchange(m_output, {});
@@ -295,9 +309,13 @@ ArcosSip ArcosServer::sip(const BaseState &state) const
   sip.leftSpeed = whole<std::int16_t>((state.velocity.v - half) / m_units.speed);
   sip.rightSpeed = whole<std::int16_t>((state.velocity.v + half) / m_units.speed);
   sip.battery = kBattery;
-  sip.stall = state.stalled ? 0x0101 : 0;
+  sip.stall = static_cast<std::uint16_t>((state.stalled ? ArcosSip::kWheels : 0U) |
+                                         (m_switches.frontBumper ? kFrontBumper : 0U) |
+                                         (m_switches.rearBumper ? kRearBumper : 0U));
   sip.control = sip.heading;
-  sip.flags = static_cast<std::uint16_t>((m_motors ? 0x01U : 0U) | (m_sonar ? 0x1EU : 0U));
+  sip.flags = static_cast<std::uint16_t>(
+      (m_motors ? ArcosSip::kMotorsOn : 0U) | (m_sonar ? ArcosSip::kSonarOn : 0U) |
+      (m_switches.emergencyStop ? ArcosSip::kEmergencyStop : 0U));
   sip.turnRate = whole<std::int16_t>(10.0 * degrees(state.velocity.w));
   for (std::size_t i = 0; m_sonar && i < state.sonar.size(); ++i) {
     const double range = state.sonar[i].range / m_units.range;

@@ -23,6 +23,15 @@ struct ArcosServerOptions
   Duration watchdog = std::chrono::milliseconds(2000); ///< without a command: it stops
 };
 
+/** What somebody's hand, or a box in the way, does to a robot. */
+struct PioneerSwitches
+{
+  bool emergencyStop = false; ///< pressed: it stops hard and its motors go off
+  bool motorsOff = false;     ///< held on the motors button: they go off
+  bool frontBumper = false;   ///< pressed
+  bool rearBumper = false;    ///< pressed
+};
+
 /**
  * A Pioneer's controller as its client meets it, without I/O: bytes in, bytes out, time as an
  * argument. Motors are off until the client enables them. When the watchdog has stopped the robot,
@@ -36,6 +45,9 @@ public:
 
   /** Takes what a client sent. Commands that are unknown or cut short are passed over. */
   void receive(std::span<const std::uint8_t> bytes, Time now);
+
+  /** Motors that went off stay so until the client enables them. */
+  void press(const PioneerSwitches &switches);
 
   /** One step of robot time: velocity ramps, the watchdog, and a packet when it is due. */
   void step(Time now, MobileBase &base, LaserScanner &laser);
@@ -86,6 +98,7 @@ private:
   Phase m_phase = Phase::Sync;
   Limits m_limits; ///< as the client has set them
   bool m_motors = false;
+  PioneerSwitches m_switches;
   bool m_sonar = true;
   bool m_driving = false; ///< until it stands again after the last velocity
   Twist2 m_wanted;

@@ -25,6 +25,10 @@ struct Faults
   std::atomic<bool> frozenCamera{false}; ///< sends the same picture again and again
   std::atomic<bool> cutCamera{false};    ///< its stream ends in the middle of a picture
   std::atomic<bool> lateCamera{false};   ///< its pictures queue up for a second on their way
+  std::atomic<bool> emergencyStop{false}; ///< somebody holds its emergency stop pressed
+  std::atomic<bool> motorsButton{false};  ///< somebody keeps its motors switched off
+  std::atomic<bool> frontBumper{false};   ///< something presses it
+  std::atomic<bool> rearBumper{false};    ///< likewise
 
   /** The fault of that name; null for any other. */
   std::atomic<bool> *find(const std::string &name)
@@ -55,7 +59,9 @@ private:
       {"stall", &Faults::heldWheels},      {"laser", &Faults::silentLaser},
       {"blind", &Faults::blindLaser},      {"upside_down", &Faults::upsideDown},
       {"camera", &Faults::silentCamera},   {"frozen", &Faults::frozenCamera},
-      {"cut", &Faults::cutCamera},         {"late", &Faults::lateCamera}};
+      {"cut", &Faults::cutCamera},         {"late", &Faults::lateCamera},
+      {"estop", &Faults::emergencyStop},   {"motors", &Faults::motorsButton},
+      {"front", &Faults::frontBumper},     {"rear", &Faults::rearBumper}};
 };
 
 } // namespace homeward

@@ -116,6 +116,8 @@ void SimulatedPioneer::step()
   m_simulator.clock().sleepUntil(m_simulator.clock().now() + Simulator::kStep);
   const Time now = m_simulator.clock().now();
   for (ArcosServer *server : {&m_tcpServer, &m_ptyServer}) {
+    server->press(
+        {m_faults.emergencyStop, m_faults.motorsButton, m_faults.frontBumper, m_faults.rearBumper});
     server->step(now, m_base, m_laser);
   }
   speak(m_tcpServer, m_tcp);

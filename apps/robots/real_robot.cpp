@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "real_robot.h"
 
+#include "files.h"
+
 #include <homeward/core/error.h>
 #include <homeward/drivers/camera_sources.h>
 #include <homeward/drivers/cola_laser.h>
@@ -11,7 +13,9 @@
 #include <homeward/mrpt_lasers/mrpt_lasers.h>
 #endif
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 
 namespace homeward
 {
@@ -80,7 +84,34 @@ std::unique_ptr<LaserScanner> hokuyo(const DeviceLinks & /*links*/)
 }
 #endif
 
+/** The speeds to try at a base: the rig's first; a socket has none. */
+std::vector<int> baudsOf(const BaseLink &link)
+{
+  std::vector<int> bauds;
+  if (link.address.starts_with('/')) {
+    bauds = {link.baud};
+    std::copy_if(kSerialBauds.begin(), kSerialBauds.end(), std::back_inserter(bauds),
+                 [&](int baud) { return baud != link.baud; });
+  }
+  return bauds;
+}
+
+PioneerBase::OpenLine baseLine(const BaseLink &link)
+{
+  return [link] { return openStream(link.address, link.baud); };
+}
+
 } // namespace
+
+std::optional<AriaParameters> baseParameters(const RobotFiles &files)
+{
+  const std::filesystem::path &written = files.rig.devices.value().base.parameters;
+  if (written.empty()) {
+    return std::nullopt;
+  }
+  const std::string file = (files.rigFile.parent_path() / written).lexically_normal().string();
+  return parseAriaParameters(readText(file, "ARIA parameter file"), file);
+}
 
 std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files)
 {
@@ -92,7 +123,11 @@ std::unique_ptr<PioneerBase> connectBase(const RobotFiles &files)
   if (links.laser.kind == LaserLink::Kind::OnBase) {
     options.laser = PioneerLaser::Plain;
   }
-  return std::make_unique<PioneerBase>(openStream(links.base.address, links.base.baud), options);
+  options.bauds = baudsOf(links.base);
+  if (const std::optional<AriaParameters> parameters = baseParameters(files)) {
+    options.units = parameters->units;
+  }
+  return std::make_unique<PioneerBase>(baseLine(links.base)(), options);
 }
 
 std::unique_ptr<LaserScanner> connectLaser(const RobotFiles &files)
@@ -126,7 +161,8 @@ std::unique_ptr<LiveCamera> connectCamera(const RobotFiles &files)
 }
 
 RealRobot::RealRobot(const RobotFiles &files)
-    : m_clock(files.rig.devices.value().clockRate), m_camera(connectCamera(files)),
+    : m_openBase(baseLine(files.rig.devices.value().base)),
+      m_clock(files.rig.devices.value().clockRate), m_camera(connectCamera(files)),
       m_laser(connectLaser(files)), m_base(connectBase(files))
 {
   const Time deadline = m_clock.now() + std::chrono::seconds(5);
@@ -141,6 +177,28 @@ RealRobot::RealRobot(const RobotFiles &files)
 LaserScanner &RealRobot::laser()
 {
   return m_laser ? *m_laser : m_base->laser();
+}
+
+std::string RealRobot::baseFault()
+{
+  try {
+    return m_base->state().halt;
+  }
+  catch (const DeviceError &error) {
+    return error.what();
+  }
+}
+
+bool RealRobot::bringBack(const ReconnectOptions &options, const std::atomic<bool> &stop,
+                          const std::function<void(const std::string &)> &say)
+{
+  try {
+    m_base->state();
+    return true;
+  }
+  catch (const DeviceError &) { // lost
+    return reconnect(*m_base, m_openBase, options, stop, say);
+  }
 }
 
 Devices RealRobot::devices()

@@ -78,6 +78,19 @@ void listen(SteadyClock &clock, double seconds, const std::function<void()> &loo
   }
 }
 
+/** How fast the line to a base is. */
+std::string lineSpeed(const PioneerBase &base, const BaseLink &link)
+{
+  if (base.baud() == 0) {
+    return "";
+  }
+  std::error_code error; // gone since: then its name must do
+  const std::filesystem::path device = std::filesystem::weakly_canonical(link.address, error);
+  return device.string().starts_with("/dev/pts/")
+             ? ", over a pseudo-terminal, where any speed is right"
+             : line(", at %d baud", base.baud());
+}
+
 Finding hearBase(RealRobot &robot, const BaseLink &link, double seconds)
 {
   Arrivals arrivals;
@@ -88,10 +101,34 @@ Finding hearBase(RealRobot &robot, const BaseLink &link, double seconds)
   Finding finding = arrivals.finding(
       "base", link.period,
       line(", '%s' (%s), %zu sonars, %td with an echo", robot.base().identity().name.c_str(),
-           robot.base().identity().subclass.c_str(), state.sonar.size(), echoes));
-  if (state.stalled) {
+           robot.base().identity().subclass.c_str(), state.sonar.size(), echoes) +
+          lineSpeed(robot.base(), link));
+  for (const auto &[is, what] : {std::pair{state.stalled, "its wheels are stalled"},
+                                 std::pair{state.bumpedAhead, "its front bumper is pressed"},
+                                 std::pair{state.bumpedBehind, "its rear bumper is pressed"},
+                                 std::pair{!state.halt.empty(), state.halt.c_str()}}) {
+    if (is) {
+      finding.good = false;
+      finding.text += std::string("; ") + what;
+    }
+  }
+  return finding;
+}
+
+/** Whose units the base is driven with. */
+Finding hearUnits(RealRobot &robot, const RobotFiles &files)
+{
+  const std::string &subclass = robot.base().identity().subclass;
+  const std::optional<AriaParameters> parameters = baseParameters(files);
+  const ArcosUnits units = parameters ? parameters->units : ArcosUnits::of(subclass).value();
+  const std::string file = files.rig.devices->base.parameters.string();
+  Finding finding{"base", true,
+                  (parameters ? "units of " + file : "units known of a '" + subclass + "'") +
+                      line(": %.3f mm, %.6f rad", 1000.0 * units.distance, units.angle)};
+  if (parameters && parameters->subclass != subclass) {
     finding.good = false;
-    finding.text += "; its wheels are stalled";
+    finding.text +=
+        "; the file is for a '" + parameters->subclass + "', the robot is a '" + subclass + "'";
   }
   return finding;
 }
@@ -203,8 +240,8 @@ std::vector<Finding> checkDevices(const RobotFiles &files, double seconds)
 {
   RealRobot robot(files);
   const DeviceLinks &links = files.rig.devices.value();
-  return {hearBase(robot, links.base, seconds), hearLaser(robot, links.laser, seconds),
-          hearCamera(robot, files, seconds)};
+  return {hearBase(robot, links.base, seconds), hearUnits(robot, files),
+          hearLaser(robot, links.laser, seconds), hearCamera(robot, files, seconds)};
 }
 
 double turnBetween(const Scan &before, const Scan &after)

@@ -82,15 +82,18 @@ const std::string kCapture = "capture: {kind: stream, source: 'http://localhost/
 TEST(Rig, ReadsRealDevices)
 {
   const Rig rig = parseRig(
-      kFiles + "base: {address: /dev/ttyUSB0, baud: 38400, period_s: 0.2}\n"
+      kFiles + "base: {address: /dev/ttyUSB0, baud: 38400, period_s: 0.2, parameters: ../p3at.p}\n"
                "laser: {kind: lms200, address: /dev/ttyUSB1, baud: 19200, resolution_deg: 0.5}\n"
                "capture: {kind: v4l2, source: 2, period_s: 0.04, latency_s: 0.08}\n"
+               "stop_joystick: /dev/input/js0\n"
                "clock_rate: 4\n",
       "rig.yaml");
   ASSERT_TRUE(rig.devices);
   EXPECT_EQ(rig.devices->base.address, "/dev/ttyUSB0");
   EXPECT_EQ(rig.devices->base.baud, 38400);
   EXPECT_DOUBLE_EQ(rig.devices->base.period, 0.2);
+  EXPECT_EQ(rig.devices->base.parameters, "../p3at.p");
+  EXPECT_EQ(rig.devices->stopJoystick, "/dev/input/js0");
   EXPECT_EQ(rig.devices->laser.kind, LaserLink::Kind::Lms200);
   EXPECT_EQ(rig.devices->laser.address, "/dev/ttyUSB1");
   EXPECT_EQ(rig.devices->laser.baud, 19200);
@@ -137,8 +140,10 @@ TEST(Rig, ReadsExposureAndGain)
 TEST(Rig, WithoutDevicesItIsSimulated)
 {
   EXPECT_FALSE(parseRig(kFiles, "rig.yaml").devices);
-  EXPECT_DOUBLE_EQ(parseRig(kFiles + kBase + kLaser + kCapture, "rig.yaml").devices->clockRate,
-                   1.0);
+  const DeviceLinks devices =
+      parseRig(kFiles + kBase + kLaser + kCapture, "rig.yaml").devices.value();
+  EXPECT_DOUBLE_EQ(devices.clockRate, 1.0);
+  EXPECT_TRUE(devices.base.parameters.empty() && devices.stopJoystick.empty());
 }
 
 TEST(Rig, RefusalsOfDevicesNameFileKeyAndValue)
@@ -153,6 +158,9 @@ TEST(Rig, RefusalsOfDevicesNameFileKeyAndValue)
       {"base: {address: [1]}\n" + kLaser + kCapture, "'base.address' is a list"},
       {"base: {address: x, speed: 1}\n" + kLaser + kCapture, "unknown key 'base.speed'"},
       {"base: {address: x, baud: -1}\n" + kLaser + kCapture, "'base.baud' is '-1'"},
+      {"base: {address: x, parameters: [1]}\n" + kLaser + kCapture, "'base.parameters' is a list"},
+      {kBase + kLaser + kCapture + "stop_joystick:\n", "'stop_joystick' is"},
+      {"stop_joystick: js0\n", "'base' is missing"},
       {kBase + "laser: {kind: radar}\n" + kCapture, "'laser.kind' is 'radar'; one of lms200"},
       {kBase + "laser: {kind: lms200}\n" + kCapture, "'laser.address' is missing"},
       {kBase + "laser: {kind: lms200, address: x, baud: 4e77}\n" + kCapture,

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace homeward
 {
 namespace
 {
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 Footprint footprintOf(const RobotDescription &robot)
 {
@@ -72,6 +75,9 @@ void Motion::read()
   m_nextTick = std::max(m_nextTick + fromSeconds(m_options.tickSeconds), m_devices.clock.now());
   m_devices.clock.sleepUntil(m_nextTick);
   m_sight.base = m_devices.base.state();
+  if (!m_sight.base.halt.empty() && !m_stop) {
+    throw DeviceError("the base does not drive: " + m_sight.base.halt);
+  }
   m_sight.base.odometry = m_turns.follow(m_sight.base.odometry);
   m_sight.scan = m_devices.laser.scan();
   if (m_sight.scan && saysEnough(*m_sight.scan)) {
@@ -171,10 +177,15 @@ const Motion::Sight &Motion::tick()
   }
   look();
   m_trail.add(pose());
-  if (m_sight.base.stalled) {
+  if (isHeld()) {
     backOff();
   }
   return m_sight;
+}
+
+bool Motion::isHeld() const
+{
+  return m_sight.base.stalled || m_sight.base.bumpedAhead || m_sight.base.bumpedBehind;
 }
 
 void Motion::backOff()
@@ -191,6 +202,10 @@ void Motion::backOff()
     command(undo);
     look();
   }
+  if (m_sight.base.bumpedBehind) {
+    stop(); // the way it came is the one that is barred
+    return;
+  }
   retrace(m_options.retreat);
 }
 
@@ -201,6 +216,23 @@ void Motion::believeInContact()
   const auto believe = [&](double x, double y) {
     m_memory.addContact(pose() * Eigen::Vector2d(x, y), now);
   };
+  // What holds the robot is unseen: believe in a wall across its middle, where the mast stands.
+  const auto believeInWall = [&](double x) {
+    for (double y = -0.15; y <= 0.151; y += 0.05) {
+      believe(x, y);
+    }
+  };
+  const double ahead = m_footprint.xMax + kBeside;
+  const double behind = m_footprint.xMin - kBeside;
+  if (m_sight.base.bumpedAhead || m_sight.base.bumpedBehind) {
+    if (m_sight.base.bumpedAhead) {
+      believeInWall(ahead);
+    }
+    if (m_sight.base.bumpedBehind) {
+      believeInWall(behind);
+    }
+    return;
+  }
   if (m_commanded.v == 0.0) {
     // Turning, the corners sweep: one ahead or the one across from it was held.
     const double side = m_commanded.w > 0.0 ? 1.0 : -1.0;
@@ -210,11 +242,7 @@ void Motion::believeInContact()
     believe(m_footprint.xMin, across);
     return;
   }
-  // What holds the robot is unseen: believe in a wall across its middle, where the mast stands.
-  const double x = m_commanded.v > 0.0 ? m_footprint.xMax + kBeside : m_footprint.xMin - kBeside;
-  for (double y = -0.15; y <= 0.151; y += 0.05) {
-    believe(x, y);
-  }
+  believeInWall(m_commanded.v > 0.0 ? ahead : behind);
 }
 
 bool Motion::retrace(double distance)
@@ -228,7 +256,7 @@ bool Motion::retrace(double distance)
   for (int i = 0; i < kTicks && m_travelled - begin < distance && !m_stop; ++i) {
     const auto twist = m_trail.wayBack(pose());
     if (!twist || freeTravel(m_memory.sensed(pose()), m_footprint, *twist, kAhead) < kLeast ||
-        (i > kStartTicks && m_sight.base.stalled)) {
+        m_sight.base.bumpedBehind || (i > kStartTicks && isHeld())) {
       break;
     }
     command(*twist);
@@ -260,9 +288,8 @@ bool Motion::backOut(double distance)
   }
   const Twist2 back{-kSpeed, 0.0};
   const double begin = m_travelled;
-  for (int i = 0;
-       i < kTicks && m_travelled - begin < distance && !m_stop && !m_sight.base.stalled &&
-       freeTravel(m_memory.sensed(pose()), m_footprint, back, kAhead) > kLeast;
+  for (int i = 0; i < kTicks && m_travelled - begin < distance && !m_stop && !isHeld() &&
+                  freeTravel(m_memory.sensed(pose()), m_footprint, back, kAhead) > kLeast;
        ++i) {
     command(back);
     look();
@@ -271,10 +298,14 @@ bool Motion::backOut(double distance)
   return m_travelled - begin > 0.5 * kLeast;
 }
 
+/** Commands a twist, but never on against a bumper that is pressed. */
 void Motion::command(const Twist2 &twist)
 {
-  m_commanded = twist;
-  m_devices.base.drive(twist);
+  const BaseState &base = m_sight.base;
+  m_commanded = {std::clamp(twist.v, base.bumpedBehind ? 0.0 : -kUnlimited,
+                            base.bumpedAhead ? 0.0 : kUnlimited),
+                 twist.w};
+  m_devices.base.drive(m_commanded);
 }
 
 /** Commands a twist, gently past what is near. */

@@ -109,6 +109,12 @@ public:
     }
   }
 
+  /** Text that may be left out. */
+  std::string text(const std::string &key, const std::string &fallback)
+  {
+    return m_node[key] ? text(key) : fallback;
+  }
+
   std::string text(const std::string &key)
   {
     const YAML::Node value = take(key);
@@ -203,6 +209,7 @@ BaseLink baseLink(const YAML::Node &root, const std::string &origin)
   base.address = section.text("address");
   base.baud = section.count("baud", 1).value_or(base.baud);
   base.period = section.number("period_s", base.period);
+  base.parameters = section.text("parameters", "");
   section.refuseOthers();
   return base;
 }
@@ -263,7 +270,13 @@ CaptureLink captureLink(const YAML::Node &root, const std::string &origin)
 
 DeviceLinks deviceLinks(const YAML::Node &root, const std::string &origin)
 {
-  DeviceLinks devices{baseLink(root, origin), laserLink(root, origin), captureLink(root, origin)};
+  DeviceLinks devices{.base = baseLink(root, origin),
+                      .laser = laserLink(root, origin),
+                      .capture = captureLink(root, origin),
+                      .stopJoystick = {}};
+  if (root["stop_joystick"]) {
+    devices.stopJoystick = file(root["stop_joystick"], "stop_joystick", origin);
+  }
   if (root["clock_rate"]) {
     devices.clockRate = positive(root["clock_rate"], "clock_rate", origin);
   }
@@ -280,7 +293,8 @@ Limits parseLimits(const std::string &yaml, const std::string &origin)
 Rig parseRig(const std::string &yaml, const std::string &origin)
 {
   const YAML::Node root = load(yaml, origin, "robot: FILE");
-  const std::set<std::string> kDeviceKeys = {"base", "laser", "capture", "clock_rate"};
+  const std::set<std::string> kDeviceKeys = {"base", "laser", "capture", "stop_joystick",
+                                             "clock_rate"};
   Rig rig;
   bool real = false;
   for (const auto &entry : root) {

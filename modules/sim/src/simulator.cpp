@@ -146,7 +146,12 @@ public:
   {
     const WheeledBase &base = m_world.base;
     const auto &echoes = m_echoes.at(m_world.now, [&] { return m_sonar.measure(base.pose()); });
-    return {m_world.now, base.odometry(), base.velocity(), base.stalled(), echoes};
+    return {.stamp = m_world.now,
+            .odometry = base.odometry(),
+            .velocity = base.velocity(),
+            .stalled = base.stalled(),
+            .sonar = echoes,
+            .halt = {}};
   }
 
   void setWorld(const SolidWorld &solid)

@@ -3,6 +3,7 @@
 
 #include <homeward/core/time.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,6 +12,9 @@
 
 namespace homeward
 {
+
+/** The speeds of serial lines, bits a second, the most usual ones of robots first. */
+inline constexpr std::array kSerialBauds = {9600, 38400, 115200, 19200, 57600};
 
 /**
  * Bytes to and from a device, over a socket or a serial line. One thread may read while another
@@ -33,7 +37,7 @@ public:
 
   /**
    * Changes the speed of a serial line; a socket has none and ignores it.
-   * @param baud 9600, 19200, 38400, 57600 or 115200 @throw DeviceError otherwise
+   * @param baud one of kSerialBauds @throw DeviceError otherwise
    */
   virtual void setBaud(int baud) = 0;
 };

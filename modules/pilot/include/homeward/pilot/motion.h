@@ -81,9 +81,9 @@ public:
 
   /**
    * Waits for the next tick and looks. While a device is silent the robot stands and the tick
-   * waits for it. Frees the robot first when something holds it.
-   * @throw DeviceError when a device is gone or does not come back or the laser runs the wrong way
-   * round, StopRequested; the robot stands in both cases
+   * waits for it. Frees the robot first when something holds it or a bumper is pressed.
+   * @throw DeviceError when a device is gone or does not come back, the laser runs the wrong way
+   * round or the base is halted, StopRequested; the robot stands in all cases
    */
   const Sight &tick();
 
@@ -157,6 +157,7 @@ private:
   void see();
   void read();
   std::string silentDevice() const;
+  bool isHeld() const;
   void backOff();
   void believeInContact();
   void command(const Twist2 &twist);

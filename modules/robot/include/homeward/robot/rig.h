@@ -21,9 +21,11 @@ struct Limits
 /** How the base is reached. */
 struct BaseLink
 {
-  std::string address; ///< `tcp:HOST:PORT`, or the path of a serial line
-  int baud = 9600;
-  double period = 0.1; ///< seconds between its packets
+  std::string address;              ///< `tcp:HOST:PORT`, or the path of a serial line
+  int baud = 9600;                  ///< tried first; then the other usual ones are
+  double period = 0.1;              ///< seconds between its packets
+  std::filesystem::path parameters; ///< ARIA parameter file with the robot's units, as written;
+                                    ///< empty: those of the subclass that it says it is of
 };
 
 /** Which laser there is and how it is reached. */
@@ -69,7 +71,8 @@ struct DeviceLinks
   BaseLink base;
   LaserLink laser;
   CaptureLink capture;
-  double clockRate = 1.0; ///< seconds of its life in one of ours; 1 for everything real
+  std::string stopJoystick; ///< device any button of which stops the robot; empty: none
+  double clockRate = 1.0;   ///< seconds of its life in one of ours; 1 for everything real
 };
 
 /** What stands on the floor: which robot, which camera, and what is asked of them. */
@@ -92,13 +95,15 @@ Limits parseLimits(const std::string &yaml, const std::string &origin);
 /**
  * Reads a rig file: `robot: FILE`, `camera: FILE`, `limits: {...}` with the keys of parseLimits().
  * A rig of real devices has also
- * - `base: {address: tcp:HOST:PORT or /dev/..., baud: N, period_s: S}`,
+ * - `base: {address: tcp:HOST:PORT or /dev/..., baud: N, period_s: S, parameters:
+ *   FILE.p}`,
  * - `laser: {kind: lms200, address: /dev/..., baud: N, resolution_deg: 1 or 0.5, period_s: S}`, or
  * `{kind: lms1xx, address: tcp:HOST:2111, resolution_deg: 0.5 or 0.25, period_s: S}`, or
  *   `{kind: hokuyo, address: tcp:HOST:10940 or /dev/..., period_s: S}`, or `{kind: on_base,
  *   period_s: S}`,
  * - `capture: {kind: stream, v4l2, firewire, files or film, source: ..., period_s: S, latency_s:
  *   S}`, for v4l2 also `exposure_ms: M` and `gain: N`, for firewire `shutter: N` and `gain: N`,
+ * - where a joystick is to stop the robot, `stop_joystick: /dev/input/jsN`,
  * - and, where a simulated robot lives faster than we do, `clock_rate: N`.
  *
  * @param yaml its text
