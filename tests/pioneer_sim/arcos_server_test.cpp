@@ -98,6 +98,63 @@ protected:
   Time now{std::chrono::seconds(100)};
 };
 
+/** The newest information packet. */
+std::optional<ArcosSip> newestSip(const std::vector<ArcosPacket> &packets)
+{
+  std::optional<ArcosSip> newest;
+  for (const ArcosPacket &packet : packets) {
+    if (const std::optional<ArcosSip> sip = parseSip(packet)) {
+      newest = sip;
+    }
+  }
+  return newest;
+}
+
+TEST_F(ArcosServerTest, ItsEmergencyStopStopsItAndTheMotorsStayOffUntilTheyAreEnabled)
+{
+  open();
+  tell(arcosCommand(Enable, 1));
+  tell(arcosCommand(Vel, 300));
+  pass(1.5);
+  EXPECT_NEAR(base.now.velocity.v, 0.3, 1e-9);
+  server.press({.emergencyStop = true});
+  pass(0.12);
+  EXPECT_EQ(base.now.velocity.v, 0.0);
+  const ArcosSip pressed = newestSip(heard()).value();
+  EXPECT_TRUE(pressed.emergencyStop());
+  EXPECT_FALSE(pressed.motorsOn());
+  tell(arcosCommand(Enable, 1)); // in vain
+  server.press({});
+  tell(arcosCommand(Vel, 300));
+  pass(1.0);
+  EXPECT_EQ(base.now.velocity.v, 0.0);
+  const ArcosSip released = newestSip(heard()).value();
+  EXPECT_FALSE(released.emergencyStop() || released.motorsOn());
+  tell(arcosCommand(Enable, 1));
+  tell(arcosCommand(Vel, 300));
+  pass(1.0);
+  EXPECT_GT(base.now.velocity.v, 0.2);
+}
+
+TEST_F(ArcosServerTest, ItsMotorsButtonAndItsBumpersAreInItsPackets)
+{
+  open();
+  tell(arcosCommand(Enable, 1));
+  pass(0.2);
+  EXPECT_TRUE(newestSip(heard()).value().motorsOn());
+  server.press({.motorsOff = true, .frontBumper = true});
+  pass(0.2);
+  const ArcosSip ahead = newestSip(heard()).value();
+  EXPECT_FALSE(ahead.motorsOn() || ahead.emergencyStop());
+  EXPECT_TRUE(ahead.bumpedAhead());
+  EXPECT_FALSE(ahead.bumpedBehind() || ahead.wheelStalled());
+  server.press({.rearBumper = true});
+  pass(0.2);
+  const ArcosSip behind = newestSip(heard()).value();
+  EXPECT_TRUE(behind.bumpedBehind());
+  EXPECT_FALSE(behind.bumpedAhead() || behind.wheelStalled());
+}
+
 TEST_F(ArcosServerTest, EchoesTwiceThenSaysWhoItIs)
 {
   tell(arcosCommand(Sync0));

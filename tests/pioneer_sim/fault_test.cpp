@@ -153,5 +153,53 @@ TEST_F(Fault, AnExceptionUnwindsTheControlLoop)
   }
 }
 
+/** Somebody's hand on the robot: a fault of pioneer-sim's, and what the base says of it. */
+class HandOnTheRobot : public Fault
+{
+protected:
+  void expectHaltUntilAskedForAnew(const char *fault, const char *said, const char *name)
+  {
+    connect();
+    set(fault);
+    watchForRest();
+    EXPECT_THAT(driveUntilItGivesUp(), testing::HasSubstr(said));
+    expectZeroAndRest(name, kZeroWithin);
+    EXPECT_THROW(m_base->enableMotors(), DeviceError); // not while it is pressed
+    set(fault, false);
+    EXPECT_THAT(driveUntilItGivesUp(), testing::HasSubstr("does not drive"));
+    EXPECT_EQ(truth("v_m_s"), 0.0);
+    m_base->enableMotors();
+    driveFor(1.5);
+    EXPECT_GT(truth("v_m_s"), 0.2);
+  }
+};
+
+TEST_F(HandOnTheRobot, EmergencyStop)
+{
+  expectHaltUntilAskedForAnew("estop", "emergency stop is pressed", "emergency stop pressed");
+}
+
+TEST_F(HandOnTheRobot, MotorsButton)
+{
+  expectHaltUntilAskedForAnew("motors", "motors were switched off", "motors button pressed");
+}
+
+TEST_F(HandOnTheRobot, AFrontBumperIsBackedOffFrom)
+{
+  connect();
+  set("front");
+  double farthest = 0.0;
+  double back = 0.0;
+  for (const auto begin = Wall::now(); Seconds(Wall::now() - begin).count() < 3.0;) {
+    m_motion->tick();
+    m_motion->follow({0.3, 0.0}, 0.0);
+    EXPECT_TRUE(!m_motion->sight().base.bumpedAhead || m_wire.last() <= 0);
+    farthest = std::max(farthest, m_motion->pose().x);
+    back = std::max(back, farthest - m_motion->pose().x);
+  }
+  EXPECT_GT(back, 0.05);
+  EXPECT_EQ(truth("collisions"), 0.0);
+}
+
 } // namespace
 } // namespace homeward

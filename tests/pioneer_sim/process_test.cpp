@@ -120,6 +120,39 @@ TEST_F(PioneerSimProcess, SipsComeEveryTenthOfASecond)
   EXPECT_NEAR(count / toSeconds(last - begin), 10.0, 0.7);
 }
 
+TEST_F(PioneerSimProcess, TurnsAndDrivesSlowerThanTheWireCanSay)
+{
+  const auto base = connect();
+  const Pose2 begin = base->state().odometry;
+  const Time start = m_clock.now();
+  Time last = start;
+  for (int i = 0; i < 200; ++i) {
+    base->drive({0.0, radians(0.4)});
+    last = m_clock.now();
+    wait(0.1);
+  }
+  base->drive({});
+  EXPECT_TRUE(soon([&] { return base->state().velocity.w == 0.0; }));
+  const double turned = degrees((begin.inverse() * base->state().odometry).heading);
+  std::printf("0.4 deg/s wanted, %.3f measured\n", turned / toSeconds(last - start));
+  EXPECT_NEAR(turned / toSeconds(last - start), 0.4, 0.06);
+}
+
+TEST_F(PioneerSimProcess, AServoConvergesBelowTheUnitsOfTheWire)
+{
+  constexpr double kGain = 0.3; // 1/s: whole deg/s alone would leave 1.7 degrees
+  constexpr double kTurn = radians(4.0);
+  const auto base = connect();
+  const Pose2 begin = base->state().odometry;
+  const auto error = [&] { return kTurn - (begin.inverse() * base->state().odometry).heading; };
+  for (int i = 0; i < 200; ++i) {
+    base->drive({0.0, kGain * error()});
+    wait(0.1);
+  }
+  std::printf("left of 4 degrees: %.3f\n", degrees(error()));
+  EXPECT_LT(std::abs(error()), radians(0.3));
+}
+
 TEST_F(PioneerSimProcess, GoesOnAfterBadFramesNoiseAndHalfPackets)
 {
   {
@@ -205,6 +238,10 @@ TEST_F(PioneerSimProcess, ServesItsCameraAndItsFaults)
   EXPECT_EQ(picture->body.substr(0, 2), "\xFF\xD8");
   EXPECT_EQ(client.Post("/fault/base?on=1")->status, 200);
   EXPECT_EQ(client.Post("/fault/base?on=0")->status, 200);
+  for (const char *fault : {"estop", "motors", "front", "rear"}) {
+    EXPECT_EQ(client.Post(std::string("/fault/") + fault + "?on=0")->status, 200) << fault;
+  }
+  EXPECT_THAT(client.Post("/fault/nose?on=1")->body, HasSubstr("frozen, half, estop"));
   EXPECT_EQ(client.Post("/fault/nose?on=1")->status, 400);
   EXPECT_EQ(client.Post("/fault/base")->status, 400);
 }

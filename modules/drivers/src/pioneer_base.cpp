@@ -156,28 +156,42 @@ void PioneerBase::enableMotors()
     const std::lock_guard lock(m_writing);
     refuseWhenGone();
     sendZero();
-    send(arcosCommand(ArcosCommand::Enable, 1));
     m_motorsWanted = true;
     const std::lock_guard knowing(m_knowing);
     m_halt.clear();
     m_motorsOn = false;
   }
-  SteadyClock wall;
-  const Time deadline = wall.now() + m_options.answerTimeout;
-  while (wall.now() < deadline) {
+  constexpr int kTries = 4; // what is sent may get lost on the way
+  for (int attempt = 0; attempt < kTries; ++attempt) {
     {
-      const std::lock_guard lock(m_knowing);
-      if (m_motorsOn) {
-        return;
-      }
+      const std::lock_guard lock(m_writing);
+      send(arcosCommand(ArcosCommand::Enable, 1));
     }
-    wall.sleepUntil(wall.now() + kTick);
+    if (motorsComeOn(m_options.answerTimeout / kTries)) {
+      return;
+    }
   }
   const std::lock_guard lock(m_knowing);
   m_halt = m_motorsOn ? m_halt : "its motors stay off; is its emergency stop pressed?";
   if (!m_halt.empty()) {
     throw DeviceError("robot '" + m_identity.name + "' does not drive: " + m_halt);
   }
+}
+
+bool PioneerBase::motorsComeOn(Duration patience)
+{
+  SteadyClock wall;
+  const Time deadline = wall.now() + patience;
+  while (wall.now() < deadline) {
+    {
+      const std::lock_guard lock(m_knowing);
+      if (m_motorsOn) {
+        return true;
+      }
+    }
+    wall.sleepUntil(wall.now() + kTick);
+  }
+  return false;
 }
 
 void PioneerBase::configure()

@@ -123,6 +123,7 @@ private:
   std::optional<Scan> newestScan();
   void heedSwitches(const ArcosSip &sip); ///< needs m_knowing
   std::string haltReason();
+  bool motorsComeOn(Duration patience);
   void keepAwake(Time now);
   void send(const ArcosPacket &command);            ///< needs m_writing
   void sendVelocity(const WholeVelocity &velocity); ///< needs m_writing
