@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program.h"
 #include "rig_check.h"
-#include "sim_process.h"
-#include "test_paths.h"
+#include "rig_fixture.h"
 
 #include <homeward/calib/bearing_tracks.h>
 #include <homeward/calib/mount.h>
@@ -24,38 +22,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/** A pioneer-sim in the contract room, three times as fast as we, and the rig that names it. */
-class RigTest : public testing::Test
-{
-protected:
-  static std::vector<std::string> arguments()
-  {
-    const auto room =
-        std::filesystem::path(HOMEWARD_DATA_DIR).parent_path() / "tests/contract/contract_room.sdf";
-    return {"--world", room.string(), "--start", "4,5,0", "--threads", "1", "--speed", "3"};
-  }
-
-  std::string rigFile(const std::string &camera = "") const
-  {
-    std::string file = folder / "rig.yaml";
-    std::ofstream(file) << "robot: " << (dataDir() / "robots/pioneer3at.urdf").string() << "\n"
-                        << "camera: "
-                        << (camera.empty() ? (dataDir() / "cameras/sim_nominal.yaml").string()
-                                           : camera)
-                        << "\nbase: {address: '" << sim.arcosTcp() << "'}\n"
-                        << "laser: {kind: lms200, address: " << sim.lmsPty() << "}\n"
-                        << "capture: {kind: stream, period_s: 0.5, source: '" << sim.stream()
-                        << "'}\n"
-                        << "clock_rate: 3\n";
-    return file;
-  }
-
-  std::string truthUrl() const { return "http://127.0.0.1:" + std::to_string(sim.httpPort()); }
-
-  Folder folder;
-  SimProcess sim{arguments()};
-};
-
 TEST_F(RigTest, CheckSaysHowEveryDeviceIsAndMovesNothing)
 {
   const ProgramRun run = runProgram("rig check " + rigFile());
@@ -63,6 +29,39 @@ TEST_F(RigTest, CheckSaysHowEveryDeviceIsAndMovesNothing)
   EXPECT_THAT(run.output,
               AllOf(HasSubstr("base   ok"), HasSubstr("laser  ok"), HasSubstr("camera ok"),
                     HasSubstr("640 x 480"), HasSubstr("pioneer-sim"), Not(HasSubstr("motion"))));
+}
+
+TEST_F(RigTest, CheckSaysWhoseUnitsAreUsed)
+{
+  EXPECT_THAT(runProgram("rig check " + rigFile()).output,
+              HasSubstr("units known of a 'p3at': 0.465 mm"));
+  const std::string units = "Subclass mine\nDistConvFactor 0.5\nAngleConvFactor 0.001534\n"
+                            "VelConvFactor 1\nRangeConvFactor 1\nDiffConvFactor 0.0034\n";
+  std::ofstream(folder / "mine.p") << units;
+  base = "parameters: mine.p";
+  const ProgramRun other = runProgram("rig check " + rigFile());
+  EXPECT_EQ(other.status, 1) << other.output;
+  EXPECT_THAT(other.output, AllOf(HasSubstr("units of mine.p: 0.500 mm"),
+                                  HasSubstr("for a 'mine', the robot is")));
+  std::ofstream(folder / "mine.p") << "Subclass p3at\n" << units.substr(units.find('D'));
+  const ProgramRun same = runProgram("rig check " + rigFile());
+  EXPECT_EQ(same.status, 0) << same.output;
+  EXPECT_THAT(same.output, HasSubstr("ok: units of mine.p: 0.500 mm"));
+  base = "parameters: nowhere.p";
+  const ProgramRun missing = runProgram("rig check " + rigFile());
+  EXPECT_EQ(missing.status, 2) << missing.output;
+  EXPECT_THAT(missing.output, HasSubstr("nowhere.p"));
+}
+
+TEST_F(RigTest, CheckSaysWhatIsPressedAndWhereSpeedMeansNothing)
+{
+  address = sim.arcosPty();
+  fault("estop", true);
+  fault("front", true);
+  const ProgramRun run = runProgram("rig check " + rigFile());
+  EXPECT_EQ(run.status, 1) << run.output;
+  EXPECT_THAT(run.output, AllOf(HasSubstr("base   BAD"), HasSubstr("motors stay off"),
+                                HasSubstr("front bumper"), HasSubstr("any speed is right")));
 }
 
 TEST_F(RigTest, CheckMovesOnlyWhenTheOperatorSaysYes)
