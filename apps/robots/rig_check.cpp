@@ -202,17 +202,21 @@ Panorama look(RealRobot &robot, const RobotFiles &files)
   return panorama;
 }
 
-/** Drives so until `done`, at most 5 s, then stands. */
-void drive(RealRobot &robot, const Twist2 &twist, const std::function<bool()> &done)
+/** Drives so until `done`, at most 5 s, then stands. @throw RuntimeError when it was stopped */
+void drive(RealRobot &robot, const Twist2 &twist, const std::function<bool()> &done,
+           const std::atomic<bool> &stop)
 {
   constexpr int kTicks = 50;
   constexpr int kStanding = 15;
   SteadyClock &clock = robot.clock();
   for (int i = 0; i < kTicks + kStanding; ++i) {
-    const bool ended = i >= kTicks || done();
+    const bool ended = stop || i >= kTicks || done();
     robot.base().drive(ended ? Twist2{} : twist);
     i = ended ? std::max(i, kTicks) : i;
     clock.sleepUntil(clock.now() + std::chrono::milliseconds(100));
+  }
+  if (stop) {
+    throw RuntimeError("stopped; the robot stands");
   }
 }
 
@@ -304,7 +308,7 @@ std::vector<Finding> judgeMotion(const MotionSeen &seen)
   return findings;
 }
 
-std::vector<Finding> checkMotion(const RobotFiles &files)
+std::vector<Finding> checkMotion(const RobotFiles &files, const std::atomic<bool> &stop)
 {
   RealRobot robot(files);
   const auto pose = [&] { return robot.base().state().odometry; };
@@ -313,7 +317,8 @@ std::vector<Finding> checkMotion(const RobotFiles &files)
   const Scan scanBefore = robot.laser().scan().value();
   const Panorama viewBefore = look(robot, files);
   const auto turned = [&] { return wrapAngle(pose().heading - start.heading); };
-  drive(robot, {0.0, 0.35}, [&] { return std::abs(turned()) > kTurn; });
+  drive(
+      robot, {0.0, 0.35}, [&] { return std::abs(turned()) > kTurn; }, stop);
   seen.odometryTurn = turned();
   seen.laserTurn = turnBetween(scanBefore, robot.laser().scan().value());
   const auto compass = visualCompass(look(robot, files), viewBefore);
@@ -322,7 +327,8 @@ std::vector<Finding> checkMotion(const RobotFiles &files)
   const Pose2 middle = pose();
   const double wayBefore = ahead(robot.laser().scan().value());
   const auto advanced = [&] { return (middle.inverse() * pose()).x; };
-  drive(robot, {0.1, 0.0}, [&] { return std::abs(advanced()) > kAdvance; });
+  drive(
+      robot, {0.1, 0.0}, [&] { return std::abs(advanced()) > kAdvance; }, stop);
   seen.odometryAdvance = advanced();
   seen.laserAdvance = wayBefore - ahead(robot.laser().scan().value());
   return judgeMotion(seen);

@@ -3,6 +3,7 @@
 
 #include "real_robot.h"
 
+#include <atomic>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -23,9 +24,11 @@ std::vector<Finding> checkDevices(const RobotFiles &files, double seconds);
 
 /**
  * Turns left by 30 degrees and drives 15 cm ahead, and compares what odometry, laser and camera say
- * of it. The robot stands afterwards. @throw DeviceError when a device is gone
+ * of it. The robot stands afterwards.
+ * @param stop ends it
+ * @throw DeviceError when a device is gone, RuntimeError when it was stopped
  */
-std::vector<Finding> checkMotion(const RobotFiles &files);
+std::vector<Finding> checkMotion(const RobotFiles &files, const std::atomic<bool> &stop);
 
 /**
  * The turn of a laser between two scans from the same place, by the best agreement of their ranges.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../drivers/fake_pioneer.h"
+
+#include <homeward/drivers/pioneer_base.h>
 #include <homeward/drivers/protocol/arcos.h>
 #include <homeward/drivers/protocol/sick.h>
 
@@ -88,6 +91,22 @@ void BM_WriteInformationPackets(benchmark::State &state)
   countPackets(state, 1);
 }
 BENCHMARK(BM_WriteInformationPackets);
+
+/** What a control tick asks of the driver, over a socket: a velocity and the newest state. */
+void BM_DriverTick(benchmark::State &state)
+{
+  Line line = tcpLine();
+  FakePioneer robot(line.device, "p3at");
+  PioneerBase base(std::move(line.driver), {});
+  double speed = 0.0;
+  for (auto _ : state) {
+    speed = speed > 0.2 ? 0.1 : speed + 0.00037;
+    base.drive({speed, speed});
+    benchmark::DoNotOptimize(base.state().odometry.x);
+    robot.forget();
+  }
+}
+BENCHMARK(BM_DriverTick)->Unit(benchmark::kMicrosecond)->UseRealTime();
 
 /** Scans of a LMS-200, 181 readings, to ranges. */
 void BM_SickScans(benchmark::State &state)

@@ -65,6 +65,18 @@ TEST_P(StopKey, StopsTheRobotAndEndsAsAStopDoes)
   EXPECT_FALSE(moves());
 }
 
+TEST_F(OperatorTest, AKeyStopsACheckThatMovesToo)
+{
+  PtyProgram program({"rig", "check", "--move", rigFile()});
+  ASSERT_TRUE(program.says("Type yes: "));
+  program.type("yes\n");
+  ASSERT_TRUE(program.eventually([&] { return moves(); }));
+  program.type("s");
+  EXPECT_LT(untilItStands(program), kToRest);
+  EXPECT_EQ(program.status(), 1);
+  EXPECT_THAT(program.output(), HasSubstr("stopped; the robot stands"));
+}
+
 struct End
 {
   std::string name;
