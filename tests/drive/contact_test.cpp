@@ -118,6 +118,30 @@ TEST_F(Contact, ABumperPressedOnARobotThatStandsNeverMovesItThatWay)
   EXPECT_EQ(base.pushes(), 0);
 }
 
+TEST_F(Contact, ABumperThatStaysPressedIsNotPushedAgainst)
+{
+  base.press = [](BaseState &state) { state.bumpedAhead = true; };
+  for (int i = 0; i < 10; ++i) {
+    motion.tick(); // there is no way back either: what it believes of the contact is given up
+    motion.steer(0.0, 0.3, Motion::Room::Ample);
+  }
+  EXPECT_LT(x(), 0.01);
+  EXPECT_EQ(base.pushes(), 0);
+}
+
+TEST_F(Contact, WhoIsSqueezedMovesNeitherWay)
+{
+  goAhead(40);
+  const double there = x();
+  base.press = [there](BaseState &state) {
+    state.bumpedAhead = true;
+    state.bumpedBehind = state.odometry.x < there - 0.02;
+  };
+  motion.tick(); // backs off, into something behind
+  EXPECT_GT(x(), there - 0.1);
+  EXPECT_EQ(base.pushes(), 0);
+}
+
 TEST_F(Contact, ABaseThatIsHaltedEndsTheMotionWithItsReason)
 {
   goAhead(30);

@@ -113,7 +113,7 @@ private:
     termios line{};
     if (m_speed != B0 && ::tcgetattr(m_descriptor, &line) == 0 && ::cfgetospeed(&line) != m_speed) {
       for (std::uint8_t &byte : arrived) {
-        byte = static_cast<std::uint8_t>(byte << 1U | 0x81U);
+        byte = static_cast<std::uint8_t>(static_cast<unsigned>(byte) << 1U | 0x81U);
       }
     }
     return arrived;

@@ -94,6 +94,19 @@ TEST(VelocityRounder, NoSignIsTurnedRoundAndNoLimitPassedWhateverComes)
   }
 }
 
+TEST(VelocityRounder, WhatIsCarriedNeitherTurnsASignRoundNorPassesALimit)
+{
+  const auto after = [](double units, double then) {
+    VelocityRounder rounder(kLimits);
+    rounder.next({units / 1000.0, radians(units)}); // leaves half a unit
+    return rounder.next({then / 1000.0, radians(then)});
+  };
+  EXPECT_EQ(after(0.5, 1e-20), (WholeVelocity{0, 0}));
+  EXPECT_EQ(after(-0.5, -1e-20), (WholeVelocity{0, 0}));
+  EXPECT_EQ(after(-0.5, 9999.0), (WholeVelocity{kMostSpeed, kMostTurn}));
+  EXPECT_EQ(after(0.5, -9999.0), (WholeVelocity{-kMostSpeed, -kMostTurn}));
+}
+
 TEST(VelocityRounder, WhatIsNotFiniteIsRefused)
 {
   VelocityRounder rounder(kLimits);

@@ -43,16 +43,16 @@ class PioneerSimProcess : public testing::Test
 protected:
   PioneerSimProcess() : m_clock(kSpeed) {}
 
-  static void SetUpTestSuite() { s_sim = new SimProcess(arguments()); }
+  static void SetUpTestSuite() { sSim = new SimProcess(arguments()); }
   static void TearDownTestSuite()
   {
-    delete s_sim;
-    s_sim = nullptr;
+    delete sSim;
+    sSim = nullptr;
   }
 
   nlohmann::json truth() const
   {
-    httplib::Client client("127.0.0.1", s_sim->httpPort());
+    httplib::Client client("127.0.0.1", sSim->httpPort());
     const auto answer = client.Get("/truth");
     EXPECT_TRUE(answer);
     return answer ? nlohmann::json::parse(answer->body) : nlohmann::json{};
@@ -65,7 +65,7 @@ protected:
 
   std::unique_ptr<PioneerBase> connect() const
   {
-    return std::make_unique<PioneerBase>(openStream(s_sim->arcosTcp(), 9600), options());
+    return std::make_unique<PioneerBase>(openStream(sSim->arcosTcp(), 9600), options());
   }
 
   void expectItStillServes()
@@ -78,10 +78,10 @@ protected:
   }
 
   SteadyClock m_clock;
-  static SimProcess *s_sim;
+  static SimProcess *sSim;
 };
 
-SimProcess *PioneerSimProcess::s_sim = nullptr;
+SimProcess *PioneerSimProcess::sSim = nullptr;
 
 TEST_F(PioneerSimProcess, ServesClientsOneAfterAnother)
 {
@@ -96,8 +96,8 @@ TEST_F(PioneerSimProcess, ServesClientsOneAfterAnother)
 
 TEST_F(PioneerSimProcess, ServesASecondClientWhenTheFirstHasLeft)
 {
-  auto first = openStream(s_sim->arcosTcp(), 9600);
-  const auto second = openStream(s_sim->arcosTcp(), 9600);
+  auto first = openStream(sSim->arcosTcp(), 9600);
+  const auto second = openStream(sSim->arcosTcp(), 9600);
   second->write(frameArcos(arcosCommand(ArcosCommand::Sync0)));
   std::array<std::uint8_t, 64> buffer{};
   EXPECT_EQ(second->read(buffer, std::chrono::milliseconds(100)), 0U);
@@ -156,7 +156,7 @@ TEST_F(PioneerSimProcess, AServoConvergesBelowTheUnitsOfTheWire)
 TEST_F(PioneerSimProcess, GoesOnAfterBadFramesNoiseAndHalfPackets)
 {
   {
-    const auto stream = openStream(s_sim->arcosTcp(), 9600);
+    const auto stream = openStream(sSim->arcosTcp(), 9600);
     Bytes noise;
     for (int i = 0; i < 20000; ++i) {
       noise.push_back(static_cast<std::uint8_t>(i * 37 % 251 + (i % 3 == 0 ? 1 : 0)));
@@ -172,7 +172,7 @@ TEST_F(PioneerSimProcess, GoesOnAfterBadFramesNoiseAndHalfPackets)
 
 TEST_F(PioneerSimProcess, AClientThatReadsNothingHoldsNobodyUp)
 {
-  const auto deaf = openStream(s_sim->arcosTcp(), 9600);
+  const auto deaf = openStream(sSim->arcosTcp(), 9600);
   for (const ArcosCommand command :
        {ArcosCommand::Sync0, ArcosCommand::Sync1, ArcosCommand::Sync2, ArcosCommand::Open}) {
     deaf->write(frameArcos(arcosCommand(command)));
@@ -189,8 +189,8 @@ TEST_F(PioneerSimProcess, AClientThatReadsNothingHoldsNobodyUp)
 TEST_F(PioneerSimProcess, AClientThatVanishesLeavesARobotThatStands)
 {
   {
-    auto stream = openStream(s_sim->arcosTcp(), 9600);
-    const auto base = std::make_unique<PioneerBase>(openStream(s_sim->arcosPty(), 9600), options());
+    auto stream = openStream(sSim->arcosTcp(), 9600);
+    const auto base = std::make_unique<PioneerBase>(openStream(sSim->arcosPty(), 9600), options());
     stream.reset();
     base->drive({0.3, 0.0});
     EXPECT_TRUE(soon([&] { return speed() > 0.1; }));
@@ -200,7 +200,7 @@ TEST_F(PioneerSimProcess, AClientThatVanishesLeavesARobotThatStands)
 
 TEST_F(PioneerSimProcess, ItsOwnWatchdogStopsARobotWhoseClientFellSilent)
 {
-  const auto stream = openStream(s_sim->arcosPty(), 9600);
+  const auto stream = openStream(sSim->arcosPty(), 9600);
   const auto say = [&](const ArcosPacket &packet) {
     stream->write(frameArcos(packet));
     wait(0.2);
@@ -222,7 +222,7 @@ TEST_F(PioneerSimProcess, ItsLaserMeasuresTheRoomOverASerialLine)
 {
   SickOptions sick;
   sick.clockRate = kSpeed;
-  SickLaser laser(openStream(s_sim->lmsPty(), 9600), sick);
+  SickLaser laser(openStream(sSim->lmsPty(), 9600), sick);
   std::optional<Scan> scan;
   ASSERT_TRUE(soon([&] { return (scan = laser.scan()).has_value(); }));
   ASSERT_EQ(scan->ranges.size(), 181U);
@@ -232,7 +232,7 @@ TEST_F(PioneerSimProcess, ItsLaserMeasuresTheRoomOverASerialLine)
 
 TEST_F(PioneerSimProcess, ServesItsCameraAndItsFaults)
 {
-  httplib::Client client("127.0.0.1", s_sim->httpPort());
+  httplib::Client client("127.0.0.1", sSim->httpPort());
   const auto picture = client.Get("/camera.jpg");
   ASSERT_TRUE(picture);
   EXPECT_EQ(picture->body.substr(0, 2), "\xFF\xD8");
@@ -267,7 +267,7 @@ std::pair<std::string, int> refusal(const std::string &options)
 
 TEST_F(PioneerSimProcess, BadArgumentsEndInOneClearLine)
 {
-  const std::string taken = "--port " + s_sim->arcosTcp().substr(14);
+  const std::string taken = "--port " + sSim->arcosTcp().substr(14);
   for (const auto &[options, culprit] :
        std::vector<std::pair<std::string, std::string>>{{"--world nowhere.sdf", "nowhere.sdf"},
                                                         {"--light noon", "noon"},
