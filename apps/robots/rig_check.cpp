@@ -120,7 +120,7 @@ Finding hearUnits(RealRobot &robot, const RobotFiles &files)
 {
   const std::string &subclass = robot.base().identity().subclass;
   const std::optional<AriaParameters> parameters = baseParameters(files);
-  const ArcosUnits units = parameters ? parameters->units : ArcosUnits::of(subclass).value();
+  const ArcosUnits &units = robot.base().units();
   const std::string file = files.rig.devices->base.parameters.string();
   Finding finding{"base", true,
                   (parameters ? "units of " + file : "units known of a '" + subclass + "'") +

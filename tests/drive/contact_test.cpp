@@ -133,9 +133,11 @@ TEST_F(Contact, WhoIsSqueezedMovesNeitherWay)
 {
   goAhead(40);
   const double there = x();
-  base.press = [there](BaseState &state) {
+  double farthest = there;
+  base.press = [&farthest](BaseState &state) {
+    farthest = std::max(farthest, state.odometry.x);
     state.bumpedAhead = true;
-    state.bumpedBehind = state.odometry.x < there - 0.02;
+    state.bumpedBehind = state.odometry.x < farthest - 0.002;
   };
   motion.tick(); // backs off, into something behind
   EXPECT_GT(x(), there - 0.1);

@@ -87,6 +87,9 @@ public:
    */
   void enableMotors();
 
+  /** What its packets count in, see PioneerOptions::units. */
+  const ArcosUnits &units() const { return m_units; }
+
   /** The speed at which it answered, the last of PioneerOptions::bauds tried; 0 without these. */
   int baud() const { return m_baud; }
 
