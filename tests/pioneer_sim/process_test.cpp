@@ -127,21 +127,21 @@ TEST_F(PioneerSimProcess, TurnsAndDrivesSlowerThanTheWireCanSay)
   const Time start = m_clock.now();
   Time last = start;
   for (int i = 0; i < 200; ++i) {
-    base->drive({0.0, radians(0.4)});
+    base->drive({0.0, radians(-0.4)});
     last = m_clock.now();
     wait(0.1);
   }
   base->drive({});
   EXPECT_TRUE(soon([&] { return base->state().velocity.w == 0.0; }));
   const double turned = degrees((begin.inverse() * base->state().odometry).heading);
-  std::printf("0.4 deg/s wanted, %.3f measured\n", turned / toSeconds(last - start));
-  EXPECT_NEAR(turned / toSeconds(last - start), 0.4, 0.06);
+  std::printf("-0.4 deg/s wanted, %.3f measured\n", turned / toSeconds(last - start));
+  EXPECT_NEAR(turned / toSeconds(last - start), -0.4, 0.06);
 }
 
 TEST_F(PioneerSimProcess, AServoConvergesBelowTheUnitsOfTheWire)
 {
-  constexpr double kGain = 0.3; // 1/s: whole deg/s alone would leave 1.7 degrees
-  constexpr double kTurn = radians(4.0);
+  constexpr double kGain = 0.3;          // 1/s: whole deg/s alone would leave 1.7 degrees
+  constexpr double kTurn = radians(4.0); // half of what the test before turned the other way
   const auto base = connect();
   const Pose2 begin = base->state().odometry;
   const auto error = [&] { return kTurn - (begin.inverse() * base->state().odometry).heading; };
