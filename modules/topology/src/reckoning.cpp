@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr double kPlaceSigma = 0.12;   // metres, of where an edge ends
-constexpr double kHeadingSigma = 0.04; // radians, of the headings at its ends
+constexpr double kHeadingSigma = 0.08; // radians, likewise; the first turns skid by far more
 constexpr double kHuber = 2.5;         // sigmas beyond which an edge pulls no harder
 constexpr int kIterations = 4;
 constexpr int kFree = 3; // numbers of a pose
