@@ -138,6 +138,25 @@ TEST(MissionSummary, addsTrialsUp)
   EXPECT_EQ(summary.kidnappings.neverKnew, 4U);
 }
 
+TEST(MissionSummary, noAmountIsLessThanNothing)
+{
+  MissionTrial little = trialOf(1, Outcome::Done);
+  MissionTrial much = trialOf(2, Outcome::Done);
+  little.nodes = 1;
+  much.nodes = 100;
+  little.distance = little.seconds = little.oracle.length = 1.0;
+  much.distance = much.seconds = 1000.0;
+  little.goals.front().seconds = little.goals.front().first->seconds = 1.0;
+  much.goals.front().seconds = much.goals.front().first->seconds = 1000.0;
+  const MissionSummary summary = summariseTrials({little, much});
+  for (const Mean &mean : {summary.nodes, summary.distance, summary.seconds, summary.oracleLength,
+                           summary.distanceFactor, summary.secondsFactor, summary.goals.seconds,
+                           summary.goals.secondsToKnow}) {
+    EXPECT_EQ(mean.interval.value().low, 0.0);
+    EXPECT_GT(mean.interval.value().high, mean.value);
+  }
+}
+
 TEST(MissionSummary, aStartThatCoversAllHasNoOracleToCompareWith)
 {
   MissionTrial trial = trialOf(1, Outcome::Done);

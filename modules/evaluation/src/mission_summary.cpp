@@ -13,11 +13,21 @@ namespace homeward
 namespace
 {
 
+/** Of what cannot be negative, nor can its mean. */
+Mean meanOfAmounts(const std::vector<double> &values)
+{
+  Mean mean = meanOf(values);
+  if (mean.interval) {
+    mean.interval->low = std::max(0.0, mean.interval->low);
+  }
+  return mean;
+}
+
 template <class Value> Mean meanOver(const std::vector<MissionTrial> &trials, const Value &value)
 {
   std::vector<double> values;
   std::transform(trials.begin(), trials.end(), std::back_inserter(values), value);
-  return meanOf(values);
+  return meanOfAmounts(values);
 }
 
 std::vector<GoalDrive> all(const std::vector<MissionTrial> &trials,
@@ -55,8 +65,8 @@ void compareWithOracle(const std::vector<MissionTrial> &trials, MissionSummary &
       seconds.push_back(trial.seconds / trial.oracleSeconds);
     }
   }
-  summary.distanceFactor = meanOf(distances);
-  summary.secondsFactor = meanOf(seconds);
+  summary.distanceFactor = meanOfAmounts(distances);
+  summary.secondsFactor = meanOfAmounts(seconds);
 }
 
 } // namespace
@@ -84,8 +94,8 @@ GoalSummary summariseDrives(const std::vector<GoalDrive> &drives)
   summary.arrived = {errors.size(), drives.size()};
   summary.medianError = median(errors);
   summary.medianHeadingDeg = median(headings);
-  summary.seconds = meanOf(seconds);
-  summary.secondsToKnow = meanOf(secondsToKnow);
+  summary.seconds = meanOfAmounts(seconds);
+  summary.secondsToKnow = meanOfAmounts(secondsToKnow);
   return summary;
 }
 
@@ -106,8 +116,7 @@ MissionSummary summariseTrials(const std::vector<MissionTrial> &trials)
   }
   summary.coverage = meanOver(trials, [](const MissionTrial &t) { return t.truth.coverage; });
   if (summary.coverage.interval) {
-    Interval &interval = *summary.coverage.interval;
-    interval = {std::max(0.0, interval.low), std::min(1.0, interval.high)};
+    summary.coverage.interval->high = std::min(1.0, summary.coverage.interval->high);
   }
   summary.nodes =
       meanOver(trials, [](const MissionTrial &t) { return static_cast<double>(t.nodes); });
