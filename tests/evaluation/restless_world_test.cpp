@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../contract/test_room.h"
 #include "folder.h"
+#include "gallery.h"
 #include "test_robot.h"
 
-#include <homeward/core/random.h>
 #include <homeward/evaluation/mission_trial.h>
 #include <homeward/evaluation/restless_world.h>
 #include <homeward/store/export.h>
@@ -30,7 +30,7 @@ public:
   void wait(Duration time) { m_simulator.clock().sleepUntil(m_simulator.clock().now() + time); }
 
   Simulator &simulator() { return m_simulator; }
-  const RestlessWorld &restless() const { return m_restless; }
+  RestlessWorld &restless() { return m_restless; }
 
 private:
   static std::shared_ptr<const Scene> furnished()
@@ -115,6 +115,32 @@ TEST(RestlessWorld, seedDecidesEverything)
   EXPECT_NE(places(3), places(4));
 }
 
+TEST(RestlessWorld, thingsStandAmongThePeople)
+{
+  RestlessHall hall({.people = kPeople, .moveFurniture = 0.0});
+  auto wall = std::make_shared<Scene>();
+  addBox(*wall, {4.0F, 0.0F, 0.0F}, {4.2F, 6.0F, 1.2F});
+  hall.restless().put(wall);
+  const auto ahead = [&] {
+    const std::vector<float> ranges = hall.simulator().laser().scan()->ranges;
+    return static_cast<double>(ranges[ranges.size() / 2]);
+  };
+  const double toWall = 4.0 - 2.0 - testRobot().rMl.translation().x();
+  const std::vector<Eigen::Vector2d> before = hall.restless().people();
+  for (int i = 0; i < 60; ++i) {
+    hall.wait(std::chrono::seconds(1));
+    EXPECT_LT(ahead(), toWall + 0.1);
+    const std::vector<Eigen::Vector2d> now = hall.restless().people();
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      EXPECT_EQ(now[k].x() > 4.1, before[k].x() > 4.1) << "through the wall";
+    }
+  }
+  EXPECT_NE(hall.restless().people(), before);
+  hall.restless().put(nullptr);
+  hall.wait(std::chrono::seconds(1));
+  EXPECT_EQ(hall.restless().people().size(), kPeople);
+}
+
 TEST(RestlessWorld, standsStillWhenItIsOver)
 {
   Simulator simulator(share(makeRoom(8.0F, 6.0F)), testRobot(), testCamera());
@@ -126,50 +152,13 @@ TEST(RestlessWorld, standsStillWhenItIsOver)
   simulator.clock().sleepUntil(simulator.clock().now() + std::chrono::seconds(1));
 }
 
-// Walls hung with panels of many colours, a wall across with a gap of 2.5 m.
-//
-//   +-------------+
-//   |      |      |
-//   |      |      |
-//   |             |
-//   +-------------+
-Scene gallery()
-{
-  Random random(5, 1);
-  Scene scene = makeRoom(6.0F, 4.5F);
-  const auto colour = [&] {
-    return Eigen::Vector3f::NullaryExpr([&] { return static_cast<float>(random.uniform(0, 1)); });
-  };
-  const auto panel = [&](const Eigen::Vector2f &from, const Eigen::Vector2f &to) {
-    const auto low = static_cast<float>(random.uniform(0.3, 1.2));
-    const auto high = static_cast<float>(random.uniform(1.4, 2.4));
-    addBox(scene, {from.x(), from.y(), low}, {to.x(), to.y(), high}, colour());
-  };
-  for (int i = 0; i < 12; ++i) {
-    const float x = 0.5F * static_cast<float>(i);
-    panel({x + 0.05F, 0.0F}, {x + 0.4F, 0.02F});
-    panel({x + 0.05F, 4.48F}, {x + 0.4F, 4.5F});
-  }
-  for (int i = 0; i < 9; ++i) {
-    const float y = 0.5F * static_cast<float>(i);
-    panel({0.0F, y + 0.05F}, {0.02F, y + 0.4F});
-    panel({5.98F, y + 0.05F}, {6.0F, y + 0.4F});
-  }
-  addBox(scene, {3.0F, 2.5F, 0.0F}, {3.1F, 4.5F, 2.5F}, {0.6F, 0.4F, 0.2F});
-  return scene;
-}
-
 MissionTrial exploreAmongPeople(const std::string &map, double maxTime)
 {
-  MissionTrialOptions options{.robot = testRobot(), .robotFile = "", .camera = testCamera()};
-  options.exploring.directions.stoppingRange = options.explorer.forwardDistance;
-  options.exploring.directions.openRangeCap = options.explorer.forwardDistance + 0.6;
-  options.goals = 0;
+  MissionTrialOptions options = galleryOptions();
   options.maxTime = maxTime;
   options.restlessness = Restlessness{.people = 2};
   const std::atomic<bool> stop = false;
-  const auto scene = share(gallery());
-  return runMissionTrial({"gallery", "", scene, 1, map}, options, stop).value();
+  return runMissionTrial(galleryTask(map), options, stop).value();
 }
 
 TEST(RestlessWorld, buildingIsExploredAmongPeople)

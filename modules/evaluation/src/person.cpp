@@ -42,9 +42,12 @@ Eigen::AlignedBox3f personBox(const Eigen::Vector2f &at)
 }
 
 void addSolidBox(Scene &scene, const std::string &model, const Eigen::AlignedBox3f &box,
-                 int material)
+                 int material, const Eigen::Affine3f &wMb)
 {
   Mesh mesh = boxMesh(box);
+  for (Eigen::Vector3f &vertex : mesh.vertices) {
+    vertex = wMb * vertex;
+  }
   mesh.model = model;
   scene.collisions.push_back(mesh);
   mesh.material = material;

@@ -21,9 +21,13 @@ PersonColours drawPersonColours(Random &random);
 /** The space of a person who stands at a point of the floor, metres. */
 Eigen::AlignedBox3f personBox(const Eigen::Vector2f &at);
 
-/** A box for all to see and touch. @param material index into Scene::materials */
+/**
+ * A box for all to see and touch.
+ * @param material index into Scene::materials
+ * @param wMb the box's frame in the world
+ */
 void addSolidBox(Scene &scene, const std::string &model, const Eigen::AlignedBox3f &box,
-                 int material);
+                 int material, const Eigen::Affine3f &wMb = Eigen::Affine3f::Identity());
 
 /** Legs, body and head, a box each. */
 void addPerson(Scene &scene, const std::string &name, const Eigen::Vector2f &at,

@@ -28,13 +28,19 @@ public:
         m_walkers(simulator.freeSpace(), restlessness.people, simulator.truth().pose, seed),
         m_nextWalk(simulator.clock().now()), m_nextMove(m_nextWalk + drawCalm())
   {
-    showPeople();
+    show(nullptr);
     m_simulator.onStep = [this](Time now) { step(now); };
   }
 
   ~Impl() { m_simulator.onStep = nullptr; }
   Impl(const Impl &) = delete;
   Impl &operator=(const Impl &) = delete;
+
+  void put(const std::shared_ptr<const Scene> &things)
+  {
+    show(things);
+    m_things = things;
+  }
 
   const Walkers &walkers() const { return m_walkers; }
   int moves() const { return m_moves; }
@@ -48,16 +54,26 @@ private:
     }
     if (now >= m_nextWalk) {
       m_nextWalk = now + kWalkStep;
-      m_walkers.walk(now, kWalkStep, m_simulator.truth().pose, m_moved);
-      showPeople();
+      m_walkers.walk(now, kWalkStep, m_simulator.truth().pose, inTheWay());
+      show(m_things);
     }
   }
 
-  void showPeople()
+  /** Things, and the people where they are. */
+  void show(const std::shared_ptr<const Scene> &things)
   {
-    auto people = std::make_shared<Scene>();
-    m_walkers.addTo(*people);
-    m_simulator.put(people);
+    auto all = things ? std::make_shared<Scene>(*things) : std::make_shared<Scene>();
+    m_walkers.addTo(*all);
+    m_simulator.put(all);
+  }
+
+  std::vector<Eigen::AlignedBox3f> inTheWay() const
+  {
+    std::vector<Eigen::AlignedBox3f> boxes = m_moved;
+    if (m_things) {
+      boxes.push_back(boundsOf(m_things->collisions));
+    }
+    return boxes;
   }
 
   void moveFurniture()
@@ -87,6 +103,7 @@ private:
   Time m_nextWalk;
   Time m_nextMove;
   std::vector<Eigen::AlignedBox3f> m_moved; ///< round each chair that is not in its place
+  std::shared_ptr<const Scene> m_things;    ///< that somebody has put there; may be null
   int m_moves = 0;
 };
 
@@ -96,6 +113,11 @@ RestlessWorld::RestlessWorld(Simulator &simulator, std::shared_ptr<const Scene> 
 {}
 
 RestlessWorld::~RestlessWorld() = default;
+
+void RestlessWorld::put(const std::shared_ptr<const Scene> &things)
+{
+  m_impl->put(things);
+}
 
 std::vector<Eigen::Vector2d> RestlessWorld::people() const
 {

@@ -40,6 +40,14 @@ public:
   RestlessWorld(const RestlessWorld &) = delete;
   RestlessWorld &operator=(const RestlessWorld &) = delete;
 
+  /**
+   * Things stand in the world besides, instead of those put before; people do not walk into them.
+   * Simulator::put() would take the people away.
+   * @param things null: nothing
+   * @throw ConfigError when the robot would stand in one; nothing has changed then
+   */
+  void put(const std::shared_ptr<const Scene> &things);
+
   /** Where the people are, metres, world frame. */
   std::vector<Eigen::Vector2d> people() const;
 
