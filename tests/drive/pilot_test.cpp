@@ -307,6 +307,7 @@ TEST_F(PilotTest, ArrivesByTheBoundAskedForAndGivesUpWhenItsPatienceEnds)
   const Pose2 away = simulator.truth().pose;
   PilotOptions options;
   options.homing.closeProxy = 2.0; // everywhere, to tell the two bounds apart
+  options.homing.timeoutOnWay = 1.0;
   Pilot other({simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
               testRobot(), testCamera(), options, stop);
   other.remember(NodeId{0}, pilot.view());
@@ -322,6 +323,10 @@ TEST_F(PilotTest, ArrivesByTheBoundAskedForAndGivesUpWhenItsPatienceEnds)
   EXPECT_GT(distanceTo(home), 0.6);
   command.closely = false;
   command.patience = 1.0;
+  EXPECT_EQ(end(), HomingEnd::TimedOut);
+  command.patience.reset();
+  command.way = Way{0.0, 1.0};
+  command.direct = true;
   EXPECT_EQ(end(), HomingEnd::TimedOut);
 }
 

@@ -109,8 +109,10 @@ TEST_F(NavigatorTest, TriesABarredLegOnceMoreWhereNoOtherWayLeadsOn)
   auto step = navigator.start(map, NodeId{1}, NodeId{0});
   step = navigator.next(step.state, map, world.execute(step.command));
   world.barredHomings = 1;
+  EXPECT_FALSE(std::get<HomeTo>(step.command).again);
   step = navigator.next(step.state, map, world.execute(step.command));
   EXPECT_EQ(step.state.phase, NavigatorState::Phase::Following);
+  EXPECT_TRUE(std::get<HomeTo>(step.command).again);
   step = navigator.next(step.state, map, world.execute(step.command));
   EXPECT_EQ(std::get<Finish>(step.command).outcome, Outcome::Done);
 }

@@ -279,7 +279,8 @@ private:
     });
   }
 
-  /** Another way begins at the node left; without one it tries again from where it stands. */
+  /** Another way begins at the node left; without one it tries again from where it stands, but
+   * not for long. */
   void goRound(const Edge &edge)
   {
     NavigatorState &state = m_step.state;
@@ -351,8 +352,10 @@ private:
     NavigatorState &state = m_step.state;
     state.phase = Phase::Following;
     HomeTo leg{state.route.front(), departure, state.route.size() == 1};
+    const std::optional<Edge> edge = m_map.edgeBetween(*state.here, state.route.front());
     leg.way = wayTo(state.route.front());
     leg.direct = leg.way.has_value();
+    leg.again = !departure && edge && state.blocked.contains(edge->id);
     leg.seeAnew = leg.exactly && m_options.refresh.wanted;
     m_step.command = leg;
   }

@@ -34,6 +34,7 @@ HomingRun::Result HomingRun::run(std::optional<double> oDeparture, bool exactly,
   if (oPlace) {
     m_options.retreats = m_options.retreatsOnWay;
     m_options.detours = 0;
+    m_options.timeoutSeconds = std::min(m_options.timeoutSeconds, m_options.timeoutOnWay);
   }
   if (oDeparture) {
     m_motion.turnTo(*oDeparture);

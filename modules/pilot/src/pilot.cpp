@@ -263,6 +263,7 @@ Report Pilot::run(const HomeTo &command)
   HomingServo servo(m_robot.rMp, {});
   HomingRunOptions how = m_options.homing;
   how.arrivedProxy = command.closely ? how.closeProxy : how.arrivedProxy;
+  how.retreatsOnWay = command.again ? 0 : how.retreatsOnWay;
   how.timeoutSeconds = command.patience.value_or(how.timeoutSeconds);
   HomingRun homing(m_motion, servo, how,
                    [this, &snapshot](const cv::Mat &picture) -> std::optional<HomeVector> {

@@ -69,6 +69,8 @@ struct HomeTo
   std::optional<Way> way = std::nullopt;
   /** What does not let it come nearer to there for some seconds bars the way. */
   bool direct = false;
+  /** It was barred from here just now: should it be so still, it does not back out first. */
+  bool again = false;
   /** Having come exactly there, see what has become of the view since it was stored. */
   bool seeAnew = false;
 

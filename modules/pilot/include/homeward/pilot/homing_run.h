@@ -41,7 +41,8 @@ struct HomingRunOptions
   double retreat = 0.6;           ///< metres it backs out along the way it came
   double detour = 0.6;            ///< metres ahead, wherever there is room
   double backOut = 0.3;           ///< metres straight back, where it has come no way yet
-  double timeoutSeconds = 100.0;  ///< s altogether
+  double timeoutSeconds = 100.0;  ///< s altogether; ...
+  double timeoutOnWay = 45.0;     ///< ... where the map says where the place is, at most so many
   double settledProxy = 0.02;     ///< distance proxy of a place reached as well as can be
   double settleSeconds = 20.0;    ///< s at most, to come from there to exactly there
   int steps = 2;                  ///< at most, by odometry, where it then still sees a way to go
