@@ -39,6 +39,7 @@ struct MissionArguments
   std::vector<std::string> without; ///< recoveries that are switched off
   std::size_t goals = 20;
   std::size_t kidnappings = 0;
+  std::size_t barriers = 0;
   std::size_t restless = 0; ///< people who walk about while chairs get moved; 0: all is quiet
   std::string json;
 
@@ -69,6 +70,7 @@ MissionTrialOptions trialOptions(const MissionArguments &arguments, const RobotF
   options.lightNow = parseLightPreset(arguments.goalLight());
   options.goals = arguments.goals;
   options.kidnappings = arguments.kidnappings;
+  options.barriers = arguments.barriers;
   if (arguments.restless > 0) {
     options.restlessness = Restlessness{.people = arguments.restless};
   }
@@ -81,21 +83,25 @@ nlohmann::json studyOptions(const MissionArguments &arguments, const RobotFiles 
 {
   const std::string rig =
       readText(files.rigFile, "rig") + readText(files.robotFile, "robot") + files.cameraText;
-  return {{"version", jsonHeader("")["version"]},
-          {"rig", contentHashText(rig)},
-          {"forward_distance_m", arguments.settings.forwardDistance},
-          {"homing", arguments.settings.homing},
-          {"histogram_threshold", arguments.settings.histogramThreshold},
-          {"equal_costs", arguments.settings.equalCosts},
-          {"close_known", arguments.settings.closeKnown},
-          {"max_time_s", arguments.settings.maxTime},
-          {"without", arguments.without},
-          {"maps", arguments.maps},
-          {"light", arguments.light},
-          {"light_now", arguments.goalLight()},
-          {"goals", arguments.goals},
-          {"kidnappings", arguments.kidnappings},
-          {"restless", arguments.restless}};
+  nlohmann::json options = {{"version", jsonHeader("")["version"]},
+                            {"rig", contentHashText(rig)},
+                            {"forward_distance_m", arguments.settings.forwardDistance},
+                            {"homing", arguments.settings.homing},
+                            {"histogram_threshold", arguments.settings.histogramThreshold},
+                            {"equal_costs", arguments.settings.equalCosts},
+                            {"close_known", arguments.settings.closeKnown},
+                            {"max_time_s", arguments.settings.maxTime},
+                            {"without", arguments.without},
+                            {"maps", arguments.maps},
+                            {"light", arguments.light},
+                            {"light_now", arguments.goalLight()},
+                            {"goals", arguments.goals},
+                            {"kidnappings", arguments.kidnappings},
+                            {"restless", arguments.restless}};
+  if (arguments.barriers > 0) { // results without are older, too
+    options["barriers"] = arguments.barriers;
+  }
+  return options;
 }
 
 void say(const MissionTrial &trial)
@@ -222,6 +228,11 @@ void addEvaluateMissionCommand(CliCommand evaluate)
   command
       .option("--kidnappings", arguments->kidnappings,
               "Drives from anywhere through each map, by a robot that was carried off")
+      .between(0, 10000)
+      .showDefault();
+  command
+      .option("--barriers", arguments->barriers,
+              "Edges of each map to bar, one at a time: drives from one end to the other")
       .between(0, 10000)
       .showDefault();
   addRestless(command, arguments->restless);

@@ -121,6 +121,19 @@ Figures kidnappingFigures()
   };
 }
 
+Figures barredFigures()
+{
+  using S = const MissionSummary &;
+  return {
+      {"barred edges: rightly ended", [](S s) { return shown(s.barred.right); }},
+      {"  of these unreachable", [](S s) { return std::to_string(s.barred.noWayLeft); }},
+      {"  longest meeting, s",
+       [](S s) { return s.barred.meetings == 0 ? "-" : number(s.barred.longestMeeting, 0); }},
+      {"  collisions", [](S s) { return std::to_string(s.barred.collisions); }},
+      {"  unseen contacts", [](S s) { return std::to_string(s.barred.unseenContacts); }},
+  };
+}
+
 std::string lines(const Figures &figures, const WorldSummaries &worlds)
 {
   std::string text;
@@ -171,6 +184,14 @@ nlohmann::json jsonOf(const GoalSummary &drives)
           {"recovery_s", jsonOf(drives.secondsToKnow)}};
 }
 
+nlohmann::json jsonOf(const BarredSummary &barred)
+{
+  return {{"drives", barred.right.trials},       {"right", barred.right.successes},
+          {"right_share", jsonOf(barred.right)}, {"no_way_left", barred.noWayLeft},
+          {"meetings", barred.meetings},         {"longest_meeting_s", barred.longestMeeting},
+          {"collisions", barred.collisions},     {"unseen_contacts", barred.unseenContacts}};
+}
+
 nlohmann::json jsonOf(const MissionSummary &summary)
 {
   return {{"runs", summary.finished.trials},
@@ -196,17 +217,15 @@ nlohmann::json jsonOf(const MissionSummary &summary)
           {"goal_drives", jsonOf(summary.goals)},
           {"kidnaps", summary.kidnappings.arrived.trials},
           {"relocalised", summary.kidnappings.firstRight.successes},
-          {"kidnap_drives", jsonOf(summary.kidnappings)}};
+          {"kidnap_drives", jsonOf(summary.kidnappings)},
+          {"barred", jsonOf(summary.barred)}};
 }
 
-bool any(const WorldSummaries &worlds, Drives drives)
+/** Whether any world has some of what a share is of. */
+template <class ShareOf> bool any(const WorldSummaries &worlds, ShareOf shareOf)
 {
-  for (const auto &[name, summary] : worlds) {
-    if ((summary.*drives).arrived.trials > 0) {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(worlds.begin(), worlds.end(),
+                     [&](const auto &world) { return shareOf(world.second).trials > 0; });
 }
 
 } // namespace
@@ -219,12 +238,15 @@ std::string missionTable(const WorldSummaries &worlds)
   }
   std::string table = line("mean [95 % confidence]", names);
   table += lines(explorationFigures(), worlds);
-  if (any(worlds, &MissionSummary::goals)) {
+  if (any(worlds, [](const MissionSummary &s) { return s.goals.arrived; })) {
     table += lines(goalFigures(&MissionSummary::goals), worlds);
   }
-  if (any(worlds, &MissionSummary::kidnappings)) {
+  if (any(worlds, [](const MissionSummary &s) { return s.kidnappings.arrived; })) {
     table += lines(kidnappingFigures(), worlds);
     table += lines(goalFigures(&MissionSummary::kidnappings), worlds);
+  }
+  if (any(worlds, [](const MissionSummary &s) { return s.barred.right; })) {
+    table += lines(barredFigures(), worlds);
   }
   return table;
 }

@@ -53,6 +53,9 @@ MissionTrial trialOf(std::uint64_t seed, Outcome outcome)
   goal.unseenContacts = 2;
   trial.goals = {goal};
   trial.kidnappings = {ended(Outcome::Failed, 4.0), ended(Outcome::Stopped, 3.0)};
+  trial.barred = {{EdgeId{5}, 2.5, goal, false, {}},
+                  {EdgeId{6}, 3.0, ended(Outcome::Failed, 2.0), true, {40.25, 11.0}},
+                  {EdgeId{7}, 1.0, ended(Outcome::Failed, 2.0), false, {90.0}}};
   return trial;
 }
 
@@ -77,6 +80,21 @@ TEST(MissionTrial, comesBackFromItsJsonToTheLastDigit)
   EXPECT_FALSE(read.kidnappings.front().from);
   EXPECT_FALSE(read.kidnappings.front().first);
   EXPECT_EQ(read.kidnappings.back().outcome, Outcome::Stopped);
+  EXPECT_EQ(read.barred.front().edge, EdgeId{5});
+  EXPECT_EQ(read.barred.front().barrierWidth, 2.5);
+  EXPECT_EQ(read.barred.front().drive.from, NodeId{1});
+  EXPECT_TRUE(read.barred.at(1).noWayLeft);
+  EXPECT_EQ(read.barred.at(1).meetings, trial.barred.at(1).meetings);
+}
+
+TEST(MissionTrial, jsonOfBeforeThereWereBarriersIsRead)
+{
+  MissionTrial trial = trialOf(1, Outcome::Done);
+  trial.barred.clear();
+  std::string text = missionTrialJson(trial);
+  const std::string barred = "\"barred\": [],";
+  text.erase(text.find(barred), barred.size());
+  EXPECT_EQ(missionTrialJson(parseMissionTrial(text)), missionTrialJson(trial));
 }
 
 TEST(MissionTrial, jsonThatIsNoneIsRefused)
@@ -136,6 +154,21 @@ TEST(MissionSummary, addsTrialsUp)
   EXPECT_EQ(summary.goals.arrived.successes, 2U);
   EXPECT_EQ(summary.goals.collisions, 2);
   EXPECT_EQ(summary.kidnappings.neverKnew, 4U);
+}
+
+TEST(MissionSummary, ofBarriersKeepsTheLongestMeeting)
+{
+  const BarredSummary summary = summariseBarred(trialOf(1, Outcome::Done).barred);
+  EXPECT_EQ(summary.right.successes, 2U) << "one arrived, one rightly said that it cannot";
+  EXPECT_EQ(summary.right.trials, 3U);
+  EXPECT_EQ(summary.noWayLeft, 1U);
+  EXPECT_EQ(summary.meetings, 3U);
+  EXPECT_EQ(summary.longestMeeting, 90.0);
+  EXPECT_EQ(summary.collisions, 1);
+  EXPECT_EQ(summary.unseenContacts, 2);
+  EXPECT_EQ(summariseTrials({trialOf(1, Outcome::Done), trialOf(2, Outcome::Done)}).barred.meetings,
+            6U);
+  EXPECT_EQ(summariseBarred({}).longestMeeting, 0.0);
 }
 
 TEST(MissionSummary, noAmountIsLessThanNothing)

@@ -34,46 +34,6 @@ NodeId randomNode(Random &random, const TruthLog &truth)
   return std::next(truth.nodes.begin(), std::min(index, std::ssize(truth.nodes) - 1))->first;
 }
 
-/** One drive, from where the robot stands, with a pilot that has just been switched on. */
-GoalDrive drive(const GoalDriver &driver, const MapFile &file, const TruthLog &truth, NodeId goal,
-                const std::atomic<bool> &stop)
-{
-  Simulator &simulator = driver.simulator;
-  const Clock &clock = simulator.clock();
-  const Truth before = simulator.truth();
-  const Time begin = clock.now();
-  const auto seconds = [&] { return toSeconds(clock.now() - begin); };
-  GoalDrive drive;
-  drive.goal = goal;
-  drive.start = before.pose;
-  Pilot pilot({simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
-              driver.robot, driver.camera, driver.pilot, stop);
-  rememberAll(file, pilot);
-  const Navigator navigator(driver.navigator);
-  const auto enough = [&] { return seconds() > driver.maxTime; };
-  const auto onStep = [&](const Step<NavigatorState> &step) {
-    if (!drive.first && !step.state.visited.empty()) {
-      const NodeId node = step.state.visited.front();
-      const double error = metresFrom(simulator.truth().pose, truth.nodes.at(node));
-      drive.first = FirstPlace{node, error, seconds()};
-    }
-  };
-  MissionCounts counts;
-  const Finish finish = runMission(navigator, navigator.start(file.map(), goal), pilot, file.map(),
-                                   nullptr, clock, counts, enough, onStep);
-  const Truth after = simulator.truth();
-  const Pose2 &there = truth.nodes.at(goal);
-  drive.outcome = finish.outcome;
-  drive.reason = finish.reason;
-  drive.error = metresFrom(after.pose, there);
-  drive.headingError = std::abs(wrapAngle(after.pose.heading - there.heading));
-  drive.distance = after.distance - before.distance;
-  drive.seconds = seconds();
-  drive.collisions = after.collisions - before.collisions;
-  drive.unseenContacts = after.unseenContacts - before.unseenContacts;
-  return drive;
-}
-
 /**
  * Puts the robot at a random node but `goal`, in a random heading in which it fits.
  * @return nothing when it fits nowhere
@@ -105,6 +65,49 @@ bool GoalDrive::arrived() const
   return outcome == Outcome::Done && error <= kThere;
 }
 
+GoalDrive driveToGoal(const GoalDriver &driver, const MapFile &file, const TruthLog &truth,
+                      NodeId goal, const std::atomic<bool> &stop,
+                      const std::function<void(const NavigatorState &)> &onStep)
+{
+  Simulator &simulator = driver.simulator;
+  const Clock &clock = simulator.clock();
+  const Truth before = simulator.truth();
+  const Time begin = clock.now();
+  const auto seconds = [&] { return toSeconds(clock.now() - begin); };
+  GoalDrive drive;
+  drive.goal = goal;
+  drive.start = before.pose;
+  Pilot pilot({simulator.clock(), simulator.base(), simulator.laser(), simulator.camera()},
+              driver.robot, driver.camera, driver.pilot, stop);
+  rememberAll(file, pilot);
+  const Navigator navigator(driver.navigator);
+  const auto enough = [&] { return seconds() > driver.maxTime; };
+  const auto follow = [&](const Step<NavigatorState> &step) {
+    if (onStep) {
+      onStep(step.state);
+    }
+    if (!drive.first && !step.state.visited.empty()) {
+      const NodeId node = step.state.visited.front();
+      const double error = metresFrom(simulator.truth().pose, truth.nodes.at(node));
+      drive.first = FirstPlace{node, error, seconds()};
+    }
+  };
+  MissionCounts counts;
+  const Finish finish = runMission(navigator, navigator.start(file.map(), goal), pilot, file.map(),
+                                   nullptr, clock, counts, enough, follow);
+  const Truth after = simulator.truth();
+  const Pose2 &there = truth.nodes.at(goal);
+  drive.outcome = finish.outcome;
+  drive.reason = finish.reason;
+  drive.error = metresFrom(after.pose, there);
+  drive.headingError = std::abs(wrapAngle(after.pose.heading - there.heading));
+  drive.distance = after.distance - before.distance;
+  drive.seconds = seconds();
+  drive.collisions = after.collisions - before.collisions;
+  drive.unseenContacts = after.unseenContacts - before.unseenContacts;
+  return drive;
+}
+
 std::vector<GoalDrive> driveToGoals(const GoalDriver &driver, const MapFile &file,
                                     const TruthLog &truth, std::size_t count, std::uint64_t seed,
                                     const std::atomic<bool> &stop)
@@ -117,7 +120,7 @@ std::vector<GoalDrive> driveToGoals(const GoalDriver &driver, const MapFile &fil
     if (!from) {
       break;
     }
-    drives.push_back(drive(driver, file, truth, goal, stop));
+    drives.push_back(driveToGoal(driver, file, truth, goal, stop));
     drives.back().from = from;
   }
   if (stop && !drives.empty()) {
@@ -141,7 +144,7 @@ std::vector<GoalDrive> driveAfterKidnappings(const GoalDriver &driver, const Map
       break;
     }
     if (hasRoom(driver.simulator, place) && putAt(driver.simulator, place)) {
-      drives.push_back(drive(driver, file, truth, randomNode(random, truth), stop));
+      drives.push_back(driveToGoal(driver, file, truth, randomNode(random, truth), stop));
     }
   }
   if (stop && !drives.empty()) {

@@ -30,10 +30,11 @@ template <class Value> Mean meanOver(const std::vector<MissionTrial> &trials, co
   return meanOfAmounts(values);
 }
 
-std::vector<GoalDrive> all(const std::vector<MissionTrial> &trials,
-                           std::vector<GoalDrive> MissionTrial::*drives)
+template <class Drive>
+std::vector<Drive> all(const std::vector<MissionTrial> &trials,
+                       std::vector<Drive> MissionTrial::*drives)
 {
-  std::vector<GoalDrive> pooled;
+  std::vector<Drive> pooled;
   for (const MissionTrial &trial : trials) {
     pooled.insert(pooled.end(), (trial.*drives).begin(), (trial.*drives).end());
   }
@@ -99,6 +100,23 @@ GoalSummary summariseDrives(const std::vector<GoalDrive> &drives)
   return summary;
 }
 
+BarredSummary summariseBarred(const std::vector<BarredDrive> &drives)
+{
+  BarredSummary summary;
+  for (const BarredDrive &barred : drives) {
+    ++summary.right.trials;
+    summary.right.successes += barred.right() ? 1 : 0;
+    summary.noWayLeft += barred.noWayLeft ? 1 : 0;
+    summary.meetings += barred.meetings.size();
+    for (const double seconds : barred.meetings) {
+      summary.longestMeeting = std::max(summary.longestMeeting, seconds);
+    }
+    summary.collisions += barred.drive.collisions;
+    summary.unseenContacts += barred.drive.unseenContacts;
+  }
+  return summary;
+}
+
 MissionSummary summariseTrials(const std::vector<MissionTrial> &trials)
 {
   MissionSummary summary;
@@ -126,6 +144,7 @@ MissionSummary summariseTrials(const std::vector<MissionTrial> &trials)
   compareWithOracle(trials, summary);
   summary.goals = summariseDrives(all(trials, &MissionTrial::goals));
   summary.kidnappings = summariseDrives(all(trials, &MissionTrial::kidnappings));
+  summary.barred = summariseBarred(all(trials, &MissionTrial::barred));
   return summary;
 }
 

@@ -151,11 +151,12 @@ void driveThrough(const MissionTask &task, const MissionTrialOptions &options, c
   Simulator simulator(task.scene, options.robot, options.camera, how);
   const auto restless = restlessWorld(options, simulator, task, seed);
   const MapFile file = MapFile::open(task.map, MapFile::Access::Read);
-  const GoalDriver driver{simulator, options.robot, options.camera, options.navigating,
-                          options.navigator};
+  const GoalDriver driver{simulator,          options.robot,     options.camera,
+                          options.navigating, options.navigator, restless.get()};
   trial.goals = driveToGoals(driver, file, log, options.goals, task.seed, stop);
   trial.kidnappings =
       driveAfterKidnappings(driver, file, log, options.kidnappings, task.seed, stop);
+  trial.barred = driveAtBarriers(driver, file, log, options.barriers, task.seed, stop);
 }
 
 TruthLog exploredBefore(const MissionTask &task)

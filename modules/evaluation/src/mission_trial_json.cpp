@@ -84,18 +84,37 @@ GoalDrive driveFrom(const json &value)
   return drive;
 }
 
-json toJson(const std::vector<GoalDrive> &drives)
+json toJson(const BarredDrive &barred)
+{
+  json value = toJson(barred.drive);
+  value["edge"] = barred.edge.value;
+  value["barrier_width_m"] = barred.barrierWidth;
+  value["no_way_left"] = barred.noWayLeft;
+  value["right"] = barred.right();
+  value["meetings_s"] = barred.meetings;
+  return value;
+}
+
+BarredDrive barredFrom(const json &value)
+{
+  return {EdgeId{value.at("edge").get<std::int64_t>()}, value.at("barrier_width_m").get<double>(),
+          driveFrom(value), value.at("no_way_left").get<bool>(),
+          value.at("meetings_s").get<std::vector<double>>()};
+}
+
+template <class Drive> json toJson(const std::vector<Drive> &drives)
 {
   json values = json::array();
-  for (const GoalDrive &drive : drives) {
+  for (const Drive &drive : drives) {
     values.push_back(toJson(drive));
   }
   return values;
 }
 
-std::vector<GoalDrive> drivesFrom(const json &values)
+template <class Drive>
+std::vector<Drive> drivesFrom(const json &values, Drive (*driveFrom)(const json &value))
 {
-  std::vector<GoalDrive> drives;
+  std::vector<Drive> drives;
   std::transform(values.begin(), values.end(), std::back_inserter(drives), driveFrom);
   return drives;
 }
@@ -179,6 +198,7 @@ std::string missionTrialJson(const MissionTrial &trial)
       {"oracle", oracleJson(trial)},
       {"goals", toJson(trial.goals)},
       {"kidnappings", toJson(trial.kidnappings)},
+      {"barred", toJson(trial.barred)},
       {"wall_time_s", trial.allWallSeconds}};
   return value.dump(1);
 }
@@ -192,8 +212,9 @@ MissionTrial parseMissionTrial(const std::string &text)
     trial.seed = value.at("seed").get<std::uint64_t>();
     readExploration(value, trial);
     readOracle(value.at("oracle"), trial);
-    trial.goals = drivesFrom(value.at("goals"));
-    trial.kidnappings = drivesFrom(value.at("kidnappings"));
+    trial.goals = drivesFrom(value.at("goals"), driveFrom);
+    trial.kidnappings = drivesFrom(value.at("kidnappings"), driveFrom);
+    trial.barred = drivesFrom(value.value("barred", json::array()), barredFrom); // newer
     trial.wallSeconds = value.at("explore_wall_time_s").get<double>();
     trial.allWallSeconds = value.at("wall_time_s").get<double>();
     return trial;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <homeward/evaluation/restless_world.h>
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/mission/navigator.h>
 #include <homeward/pilot/pilot.h>
@@ -8,6 +9,7 @@
 #include <homeward/store/map_file.h>
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,8 +56,17 @@ struct GoalDriver
   const MirrorCamera &camera; ///< nominal, what the robot believes of it
   const PilotOptions &pilot;
   const NavigatorOptions &navigator;
-  double maxTime = 3600.0; ///< simulated s after which a drive is given up
+  RestlessWorld *restless = nullptr; ///< what goes on in the simulated world; null: it is quiet
+  double maxTime = 3600.0;           ///< simulated s after which a drive is given up
 };
+
+/**
+ * One drive, from where the robot stands, with a pilot that has just been switched on.
+ * @param onStep called with every state of the navigation, before its command is carried out
+ */
+GoalDrive driveToGoal(const GoalDriver &driver, const MapFile &file, const TruthLog &truth,
+                      NodeId goal, const std::atomic<bool> &stop,
+                      const std::function<void(const NavigatorState &)> &onStep = {});
 
 /**
  * Drives to random nodes from other random nodes where it fits, in random headings.

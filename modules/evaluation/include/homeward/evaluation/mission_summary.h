@@ -26,6 +26,17 @@ struct GoalSummary
   Mean secondsToKnow;         ///< simulated, of those that were right
 };
 
+/** Drives at barriers, together. */
+struct BarredSummary
+{
+  Share right;               ///< BarredDrive::right()
+  std::size_t noWayLeft = 0; ///< of these, said that the goal is unreachable
+  std::size_t meetings = 0;
+  double longestMeeting = 0.0; ///< simulated s; 0 of none
+  int collisions = 0;
+  int unseenContacts = 0;
+};
+
 /** Trials of one world, together. Shares of homings and drives pool the trials. */
 struct MissionSummary
 {
@@ -46,9 +57,12 @@ struct MissionSummary
   Mean secondsFactor;  ///< likewise, times
   GoalSummary goals;
   GoalSummary kidnappings;
+  BarredSummary barred;
 };
 
 GoalSummary summariseDrives(const std::vector<GoalDrive> &drives);
+
+BarredSummary summariseBarred(const std::vector<BarredDrive> &drives);
 
 MissionSummary summariseTrials(const std::vector<MissionTrial> &trials);
 

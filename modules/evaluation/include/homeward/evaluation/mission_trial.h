@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <homeward/evaluation/barred_drive.h>
 #include <homeward/evaluation/coverage.h>
 #include <homeward/evaluation/goal_drive.h>
 #include <homeward/evaluation/mission_truth.h>
@@ -33,6 +34,7 @@ struct MissionTrialOptions
   LightPreset lightNow = LightPreset::Day; ///< while it drives to goals
   std::size_t goals = 20;
   std::size_t kidnappings = 0;
+  std::size_t barriers = 0; ///< edges that are barred, one at a time, and driven at
   std::optional<Restlessness> restlessness = {}; ///< of the worlds all the while; nothing: quiet
   int threads = 1;                               ///< that render; the result does not depend on it
 };
@@ -76,6 +78,7 @@ struct MissionTrial
 
   std::vector<GoalDrive> goals;
   std::vector<GoalDrive> kidnappings;
+  std::vector<BarredDrive> barred;
   double allWallSeconds = 0.0; ///< that everything took
 };
 
