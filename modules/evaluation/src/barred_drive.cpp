@@ -49,7 +49,7 @@ BarredEdge draw(std::vector<BarredEdge> &edges, Random &random)
   const auto count = static_cast<double>(edges.size());
   const auto index = static_cast<std::ptrdiff_t>(random.uniform(0.0, count));
   const auto drawn = edges.begin() + std::min(index, std::ssize(edges) - 1);
-  const BarredEdge edge = *drawn;
+  BarredEdge edge = *drawn;
   edges.erase(drawn);
   return edge;
 }
