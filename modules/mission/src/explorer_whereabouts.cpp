@@ -17,8 +17,8 @@ bool ExplorerWhereabouts::isWay(const Chord &chord) const
 
 const Reckoning &ExplorerWhereabouts::reckoning(NodeId from) const
 {
-  const std::size_t edges =
-      m_map.edges().size(); // the only thing that a step changes and that counts
+  // Of what a step changes, edges alone count.
+  const std::size_t edges = m_map.edges().size();
   if (!m_reckoning || m_reckonedFrom != from || m_reckonedEdges != edges) {
     m_reckoning.emplace(m_map, from);
     m_reckonedFrom = from;

@@ -42,6 +42,62 @@ Pose2 along(double length, double out, double back)
   return {length * std::cos(out), length * std::sin(out), wrapAngle(out + kPi - back)};
 }
 
+/** How far an edge is off what was measured, in sigmas, and how that changes with its ends. */
+struct Linear
+{
+  Eigen::Vector3d error;
+  std::array<Eigen::Matrix3d, 2> byEnd; ///< by a's pose and b's
+};
+
+Linear linearise(const Pose2 &measured, const Pose2 &oMa, const Pose2 &oMb)
+{
+  const Eigen::Vector3d weights(1.0 / kPlaceSigma, 1.0 / kPlaceSigma, 1.0 / kHeadingSigma);
+  const Eigen::Matrix2d aRo = Eigen::Rotation2Dd(-oMa.heading).toRotationMatrix();
+  const Eigen::Vector2d aP = aRo * (oMb.translation() - oMa.translation());
+  const Eigen::Vector3d error(aP.x() - measured.x, aP.y() - measured.y,
+                              wrapAngle(oMb.heading - oMa.heading - measured.heading));
+  Eigen::Matrix3d byA = -Eigen::Matrix3d::Identity();
+  byA.topLeftCorner<2, 2>() = -aRo;
+  byA.topRightCorner<2, 1>() = Eigen::Vector2d(aP.y(), -aP.x());
+  Eigen::Matrix3d byB = Eigen::Matrix3d::Identity();
+  byB.topLeftCorner<2, 2>() = aRo;
+  return {weights.cwiseProduct(error), {weights.asDiagonal() * byA, weights.asDiagonal() * byB}};
+}
+
+/** Normal equations in the making. */
+struct Normal
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd gradient;
+
+  /** @param columns of the poses at the edge's ends; -1: known */
+  void add(const Linear &edge, const std::array<int, 2> &columns)
+  {
+    const double weight = std::min(1.0, kHuber / std::max(edge.error.norm(), 1e-12));
+    for (std::size_t row = 0; row < columns.size(); ++row) {
+      if (columns[row] < 0) {
+        continue;
+      }
+      const Eigen::Matrix3d pull = weight * edge.byEnd[row].transpose();
+      gradient.segment<kFree>(columns[row]) += pull * edge.error;
+      for (std::size_t column = 0; column < columns.size(); ++column) {
+        if (columns[column] >= 0) {
+          addBlock(columns[row], columns[column], pull * edge.byEnd[column]);
+        }
+      }
+    }
+  }
+
+  void addBlock(int row, int column, const Eigen::Matrix3d &block)
+  {
+    for (int i = 0; i < kFree; ++i) {
+      for (int j = 0; j < kFree; ++j) {
+        entries.emplace_back(row + i, column + j, block(i, j));
+      }
+    }
+  }
+};
+
 } // namespace
 
 class Reckoning::Impl
@@ -135,56 +191,20 @@ void Reckoning::Impl::optimise()
   if (m_unknowns == 0) {
     return;
   }
-  const Eigen::Vector3d weights(1.0 / kPlaceSigma, 1.0 / kPlaceSigma, 1.0 / kHeadingSigma);
   const Eigen::Index size = kFree * m_unknowns;
   Eigen::SparseMatrix<double> information(size, size);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(size);
+    Normal normal{{}, Eigen::VectorXd::Zero(size)};
     for (const Measured &edge : m_edges) {
       const auto a = static_cast<std::size_t>(edge.a);
       const auto b = static_cast<std::size_t>(edge.b);
-      if (!m_columns[a]) {
-        continue;
-      }
-      const Pose2 &oMa = m_poses[a];
-      const Pose2 &oMb = m_poses[b];
-      const Eigen::Matrix2d aRo = Eigen::Rotation2Dd(-oMa.heading).toRotationMatrix();
-      const Eigen::Vector2d aP = aRo * (oMb.translation() - oMa.translation());
-      Eigen::Vector3d error(aP.x() - edge.aMb.x, aP.y() - edge.aMb.y,
-                            wrapAngle(oMb.heading - oMa.heading - edge.aMb.heading));
-      Eigen::Matrix3d byA = -Eigen::Matrix3d::Identity();
-      byA.topLeftCorner<2, 2>() = -aRo;
-      byA.topRightCorner<2, 1>() = Eigen::Vector2d(aP.y(), -aP.x());
-      Eigen::Matrix3d byB = Eigen::Matrix3d::Identity();
-      byB.topLeftCorner<2, 2>() = aRo;
-      error = weights.cwiseProduct(error);
-      byA = weights.asDiagonal() * byA;
-      byB = weights.asDiagonal() * byB;
-      const double weight = std::min(1.0, kHuber / std::max(error.norm(), 1e-12));
-      const std::array<std::pair<int, const Eigen::Matrix3d *>, 2> ends{
-          {{*m_columns[a], &byA}, {*m_columns[b], &byB}}};
-      for (const auto &[row, rowJacobian] : ends) {
-        if (row < 0) {
-          continue;
-        }
-        gradient.segment<kFree>(row) += weight * rowJacobian->transpose() * error;
-        for (const auto &[column, columnJacobian] : ends) {
-          if (column < 0) {
-            continue;
-          }
-          const Eigen::Matrix3d block = weight * rowJacobian->transpose() * *columnJacobian;
-          for (int i = 0; i < kFree; ++i) {
-            for (int j = 0; j < kFree; ++j) {
-              entries.emplace_back(row + i, column + j, block(i, j));
-            }
-          }
-        }
+      if (m_columns[a]) { // then b is reached too
+        normal.add(linearise(edge.aMb, m_poses[a], m_poses[b]), {*m_columns[a], *m_columns[b]});
       }
     }
-    information.setFromTriplets(entries.begin(), entries.end());
+    information.setFromTriplets(normal.entries.begin(), normal.entries.end());
     m_information.compute(information);
-    const Eigen::VectorXd step = m_information.solve(gradient);
+    const Eigen::VectorXd step = m_information.solve(normal.gradient);
     for (std::size_t node = 0; node < m_poses.size(); ++node) {
       if (m_columns[node].value_or(-1) >= 0) {
         const Eigen::Index column = *m_columns[node];
