@@ -241,7 +241,7 @@ TEST_F(PioneerSimProcess, ServesItsCameraAndItsFaults)
   for (const char *fault : {"estop", "motors", "front", "rear"}) {
     EXPECT_EQ(client.Post(std::string("/fault/") + fault + "?on=0")->status, 200) << fault;
   }
-  EXPECT_THAT(client.Post("/fault/nose?on=1")->body, HasSubstr("frozen, half, estop"));
+  EXPECT_THAT(client.Post("/fault/nose?on=1")->body, HasSubstr("cut, late, estop"));
   EXPECT_EQ(client.Post("/fault/nose?on=1")->status, 400);
   EXPECT_EQ(client.Post("/fault/base")->status, 400);
 }

@@ -16,7 +16,7 @@ namespace
 
 constexpr double kAlone = 0.99;    ///< probability that a single pair must have
 constexpr double kApart = 1.0;     ///< metres between the places of a pair
-constexpr double kSigmas = 3.0;    ///< of the ways
+constexpr double kSigmas = 2.0;    ///< of the ways
 constexpr double kTurnError = 0.5; ///< radians, two sigma of a chain of bearings
 
 std::optional<double> turnBetween(const Panorama &a, const Panorama &b)
