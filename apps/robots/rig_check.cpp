@@ -4,6 +4,7 @@
 #include <homeward/camera/unwarper.h>
 #include <homeward/core/error.h>
 #include <homeward/homing/visual_compass.h>
+#include <homeward/pilot/turn_witness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -251,24 +252,12 @@ std::vector<Finding> checkDevices(const RobotFiles &files, double seconds)
 double turnBetween(const Scan &before, const Scan &after)
 {
   const int most = static_cast<int>(radians(60.0) / before.angleStep);
-  const int count = static_cast<int>(std::min(before.ranges.size(), after.ranges.size()));
   double best = std::numeric_limits<double>::infinity();
   int turn = 0;
   for (int shift = -most; shift <= most; ++shift) {
-    double sum = 0.0;
-    int pairs = 0;
-    // Turned left by `shift` steps, reading i shows what reading i + shift showed.
-    for (int i = std::max(0, -shift); i < std::min(count, count - shift); ++i) {
-      const int j = i + shift;
-      const double difference = std::abs(after.ranges[static_cast<std::size_t>(i)] -
-                                         before.ranges[static_cast<std::size_t>(j)]);
-      if (!std::isnan(difference)) {
-        sum += std::min(difference, 1.0);
-        ++pairs;
-      }
-    }
-    if (pairs > count / 4 && sum / pairs < best) {
-      best = sum / pairs;
+    const double misfit = scanMisfit(before, after, shift);
+    if (misfit < best) {
+      best = misfit;
       turn = shift;
     }
   }

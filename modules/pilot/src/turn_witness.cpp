@@ -17,12 +17,9 @@ constexpr double kWay = 0.1;            ///< metres that the robot may have move
 constexpr double kClearly = 0.1; ///< metres a reading that the other way round fits better by
 constexpr int kOften = 2;
 
-/**
- * How badly `after` fits `before` if the laser turned left by `shift` readings between them: then
- * reading i shows what reading i + shift showed. Mean difference, metres, each counted as 1 m at
- * most; infinite where too few readings are comparable.
- */
-double misfit(const Scan &before, const Scan &after, int shift)
+} // namespace
+
+double scanMisfit(const Scan &before, const Scan &after, int shift)
 {
   const int count = static_cast<int>(std::min(before.ranges.size(), after.ranges.size()));
   double sum = 0.0;
@@ -38,8 +35,6 @@ double misfit(const Scan &before, const Scan &after, int shift)
   }
   return 4 * pairs > count ? sum / pairs : std::numeric_limits<double>::infinity();
 }
-
-} // namespace
 
 bool TurnWitness::contradicts(const Scan &scan, const Pose2 &oMr)
 {
@@ -60,8 +55,8 @@ bool TurnWitness::contradicts(const Scan &scan, const Pose2 &oMr)
     return false;
   }
   const int shift = static_cast<int>(std::lround(moved.heading / scan.angleStep));
-  const double straight = misfit(m_before->scan, scan, shift);
-  const double reversed = misfit(m_before->scan, scan, -shift);
+  const double straight = scanMisfit(m_before->scan, scan, shift);
+  const double reversed = scanMisfit(m_before->scan, scan, -shift);
   m_contradictions =
       2.0 * reversed < straight && straight - reversed > kClearly ? m_contradictions + 1 : 0;
   renew();

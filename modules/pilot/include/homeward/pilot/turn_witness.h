@@ -10,6 +10,13 @@ namespace homeward
 {
 
 /**
+ * How badly `after` fits `before` if the laser turned left by `shift` readings between them: then
+ * reading i shows what reading i + shift showed. Mean difference, metres, each counted as 1 m at
+ * most; infinite where too few readings are comparable.
+ */
+double scanMisfit(const Scan &before, const Scan &after, int shift);
+
+/**
  * Tells by turns whether a laser runs the right way round. Turned left by d, a scan looks as the
  * one before did d farther to the left; to a laser that is mounted upside down it looks turned to
  * the right. Whoever drives by such a laser avoids the mirror images of things.
