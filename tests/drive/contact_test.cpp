@@ -92,6 +92,26 @@ TEST_F(Contact, ABumperAheadIsBackedOffFromAndDrivenRound)
   EXPECT_EQ(base.pushes(), 0);
 }
 
+TEST_F(Contact, CreepsUntilItIsAwayFromWhereItFeltSomething)
+{
+  goAhead(40);
+  const double felt = x();
+  ASSERT_GT(base.driven().v, 0.2);
+  base.press = [](BaseState &state) { state.stalled = true; };
+  motion.tick();
+  base.press = [](BaseState &) {};
+  double beside = 0.0;
+  double away = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    goAhead(1);
+    const bool near = std::hypot(x() - felt, motion.pose().y) < 0.3;
+    (near ? beside : away) = std::max(near ? beside : away, base.driven().v);
+  }
+  EXPECT_GT(beside, 0.01);
+  EXPECT_LT(beside, 0.05);
+  EXPECT_GT(away, 0.2);
+}
+
 TEST_F(Contact, ABumperBehindEndsTheWayBack)
 {
   goAhead(80);

@@ -83,6 +83,20 @@ TEST(Reckoning, ChainsWaysThatAreExact)
   EXPECT_EQ(floor.sigma(4, 4), 0.0);
 }
 
+TEST(Reckoning, FindsWhoStandsNearAPoint)
+{
+  Floor floor = corridor(0.0);
+  floor.add(12.0, 0.5); // beside 6, but no way leads there
+  const Pose2 oMfour = floor.places[4];
+  const auto near = [&](double x, double y, double metres) {
+    return Reckoning(floor.map, NodeId{4}).near(oMfour.inverse() * Eigen::Vector2d(x, y), metres);
+  };
+  const std::vector<NodeId> both{NodeId{5}, NodeId{6}};
+  EXPECT_EQ(near(10.9, 0.1, 1.2), both);
+  EXPECT_EQ(near(8.0, 0.0, 0.1), std::vector{NodeId{4}});
+  EXPECT_TRUE(near(8.0, 1.0, 0.9).empty());
+}
+
 TEST(Reckoning, KnowsLessOfPlacesFartherOff)
 {
   const Floor floor = corridor(0.1);

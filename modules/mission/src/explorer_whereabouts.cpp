@@ -7,6 +7,15 @@
 
 namespace homeward
 {
+namespace
+{
+
+Eigen::Vector2d polar(double distance, double bearing)
+{
+  return {distance * std::cos(bearing), distance * std::sin(bearing)};
+}
+
+} // namespace
 
 bool ExplorerWhereabouts::isWay(const Chord &chord) const
 {
@@ -35,13 +44,11 @@ std::optional<Reckoned> ExplorerWhereabouts::reckoned(NodeId node) const
 std::optional<ExplorerWhereabouts::Offset> ExplorerWhereabouts::offset(NodeId node) const
 {
   const auto there = reckoned(node);
-  if (!there) {
-    return std::nullopt;
-  }
-  const Chord &chord = m_state.chord;
-  const Eigen::Vector2d here(chord.distance * std::cos(chord.bearingAtOrigin),
-                             chord.distance * std::sin(chord.bearingAtOrigin));
-  return Offset{(there->fromMto.translation() - here).norm(), there->sigma};
+  return there ? std::optional(Offset{(there->fromMto.translation() -
+                                       polar(m_state.chord.distance, m_state.chord.bearingAtOrigin))
+                                          .norm(),
+                                      there->sigma})
+               : std::nullopt;
 }
 
 bool ExplorerWhereabouts::plausible(NodeId node, double reach) const
@@ -88,8 +95,13 @@ const PlaceMatch *ExplorerWhereabouts::placeHere(const std::vector<PlaceMatch> &
 std::optional<NodeId> ExplorerWhereabouts::crowding() const
 {
   std::optional<NodeId> nearest;
+  if (!m_state.origin) {
+    return nearest;
+  }
   double least = m_options.crowded();
-  for (const auto &[node, unused] : m_map.nodes()) {
+  for (const NodeId node :
+       reckoning(*m_state.origin)
+           .near(polar(m_state.chord.distance, m_state.chord.bearingAtOrigin), least)) {
     const auto off = offset(node);
     if (off && off->error <= m_options.surelyBeyond && off->distance < least) {
       least = off->distance;
@@ -121,12 +133,10 @@ bool ExplorerWhereabouts::tooOftenInVain(NodeId node) const
 
 std::optional<NodeId> ExplorerWhereabouts::nodeWhere(NodeId node, double bearing) const
 {
-  const Eigen::Vector2d end =
-      m_options.forwardDistance * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
-  for (const auto &[other, unused] : m_map.nodes()) {
-    const auto there = other == node ? std::nullopt : reckoning(node).find(other);
-    if (there && there->sigma < m_options.surelyBeyond &&
-        (there->fromMto.translation() - end).norm() < m_options.closeNear) {
+  const Reckoning &ways = reckoning(node);
+  for (const NodeId other :
+       ways.near(polar(m_options.forwardDistance, bearing), m_options.closeNear)) {
+    if (other != node && ways.find(other)->sigma < m_options.surelyBeyond) {
       return other;
     }
   }

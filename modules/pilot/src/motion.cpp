@@ -28,6 +28,16 @@ Pose2 planar(const Eigen::Isometry3d &aMb)
   return {aMb.translation().x(), aMb.translation().y(), std::atan2(aRb(1, 0), aRb(0, 0))};
 }
 
+/** The same arc, with no part of the body faster than `most`, m/s. */
+Twist2 slowed(const Twist2 &twist, const Footprint &body, double most)
+{
+  const double x = std::max(std::abs(body.xMin), std::abs(body.xMax));
+  const double y = std::max(std::abs(body.yMin), std::abs(body.yMax));
+  const double corner = std::hypot(std::abs(twist.v) + std::abs(twist.w) * y, twist.w * x);
+  const double share = most / std::max(most, corner);
+  return {share * twist.v, share * twist.w};
+}
+
 LocalDrive::Options driveOptions(const MotionOptions &options)
 {
   LocalDrive::Options drive;
@@ -194,6 +204,7 @@ void Motion::backOff()
   constexpr double kRate = 0.4;   // rad/s
   constexpr int kTicks = 8;
   m_devices.base.drive({});
+  m_felt = pose().translation();
   believeInContact();
   // Where it stood a moment ago it was free.
   const Twist2 undo{-std::clamp(m_commanded.v, -kSpeed, kSpeed),
@@ -298,13 +309,20 @@ bool Motion::backOut(double distance)
   return m_travelled - begin > 0.5 * kLeast;
 }
 
-/** Commands a twist, but never on against a bumper that is pressed. */
+/** Commands a twist, but never on against a bumper that is pressed, and gently where what stands
+ * unseen beside the robot was felt. */
 void Motion::command(const Twist2 &twist)
 {
   const BaseState &base = m_sight.base;
   m_commanded = {std::clamp(twist.v, base.bumpedBehind ? 0.0 : -kUnlimited,
                             base.bumpedAhead ? 0.0 : kUnlimited),
                  twist.w};
+  if (m_felt && (pose().translation() - *m_felt).norm() > m_options.feltReach) {
+    m_felt.reset();
+  }
+  if (m_felt) {
+    m_commanded = slowed(m_commanded, m_footprint, m_options.creep.speed);
+  }
   m_devices.base.drive(m_commanded);
 }
 

@@ -122,6 +122,18 @@ public:
                            : std::nullopt;
   }
 
+  std::vector<NodeId> near(const Eigen::Vector2d &point, double metres) const
+  {
+    std::vector<NodeId> found;
+    for (const auto &[id, index] : m_indices) {
+      const auto node = static_cast<std::size_t>(index);
+      if (m_columns[node] && (m_poses[node].translation() - point).norm() < metres) {
+        found.push_back(id);
+      }
+    }
+    return found;
+  }
+
 private:
   void gather(const TopologicalMap &map);
   void chain(int from);
@@ -241,6 +253,11 @@ Reckoning &Reckoning::operator=(Reckoning &&other) noexcept = default;
 std::optional<Reckoned> Reckoning::find(NodeId to) const
 {
   return m_impl->find(to);
+}
+
+std::vector<NodeId> Reckoning::near(const Eigen::Vector2d &point, double metres) const
+{
+  return m_impl->near(point, metres);
 }
 
 } // namespace homeward

@@ -45,7 +45,8 @@ struct MotionOptions
   double tightSpeed = 0.15;   ///< m/s, ... driven slowly
   double tightSeconds = 3.0;  ///< s it goes on so, lest it turns to and fro
   CreepOptions creep;
-  double retreat = 0.3; ///< metres driven back along the way it came after a contact
+  double feltReach = 0.3; ///< metres from where something was felt that it creeps all the same
+  double retreat = 0.3;   ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
 
@@ -176,8 +177,9 @@ private:
   Trail m_trail;
   TurnCalibration m_turns;
   TurnWitness m_witness;
-  std::optional<Time> m_laserSpoke; ///< when the last scan was taken that says enough
-  Twist2 m_commanded;               ///< last
+  std::optional<Time> m_laserSpoke;      ///< when the last scan was taken that says enough
+  Twist2 m_commanded;                    ///< last
+  std::optional<Eigen::Vector2d> m_felt; ///< where it stood when it was held, odometry frame
   Sight m_sight;
   std::deque<BaseState> m_past; ///< a few seconds, oldest first
   Time m_nextTick;

@@ -4,8 +4,11 @@
 #include <homeward/core/pose2.h>
 #include <homeward/topology/map.h>
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace homeward
 {
@@ -35,6 +38,13 @@ public:
 
   /** Nothing when no such edges lead there. */
   std::optional<Reckoned> find(NodeId to) const;
+
+  /**
+   * Whoever stands near a point, the node that all is seen from among them; in order of their
+   * numbers. Errors count for nothing here, as each takes a solution of the equations.
+   * @param point metres, in the frame of the node that all is seen from
+   */
+  std::vector<NodeId> near(const Eigen::Vector2d &point, double metres) const;
 
 private:
   class Impl;
