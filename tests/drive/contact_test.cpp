@@ -149,6 +149,17 @@ TEST_F(Contact, ABumperThatStaysPressedIsNotPushedAgainst)
   EXPECT_EQ(base.pushes(), 0);
 }
 
+TEST_F(Contact, ABumperThatStaysPressedWhereverItGoesIsStuck)
+{
+  goAhead(80);
+  const double there = x();
+  base.press = [](BaseState &state) { state.bumpedAhead = true; };
+  EXPECT_THROW(goAhead(200), DeviceError);
+  EXPECT_EQ(base.driven().v, 0.0);
+  EXPECT_GT(x(), there - 0.3);
+  EXPECT_EQ(base.pushes(), 0);
+}
+
 TEST_F(Contact, WhoIsSqueezedMovesNeitherWay)
 {
   goAhead(6); // slowly yet: it soon goes backwards

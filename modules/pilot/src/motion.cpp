@@ -169,6 +169,7 @@ void Motion::see()
     m_travelled += (pose().translation() - before).norm();
   }
   m_looked = true;
+  checkBumpers();
   const Pose2 oMr = poseAt(m_sight.scan->stamp);
   if (m_witness.contradicts(*m_sight.scan, oMr)) {
     throw DeviceError("the laser sees the room turn the other way than the wheels; it is mounted "
@@ -191,6 +192,22 @@ const Motion::Sight &Motion::tick()
     backOff();
   }
   return m_sight;
+}
+
+void Motion::checkBumpers()
+{
+  const BaseState &base = m_sight.base;
+  if (!base.bumpedAhead && !base.bumpedBehind) {
+    m_pressedAt.reset();
+    return;
+  }
+  if (!m_pressedAt) {
+    m_pressedAt = pose().translation();
+  }
+  if ((pose().translation() - *m_pressedAt).norm() > m_options.bumperReach) {
+    throw DeviceError(std::string("the ") + (base.bumpedAhead ? "front" : "rear") +
+                      " bumper stays pressed wherever the robot goes; free it, or check its wires");
+  }
 }
 
 bool Motion::isHeld() const

@@ -45,8 +45,9 @@ struct MotionOptions
   double tightSpeed = 0.15;   ///< m/s, ... driven slowly
   double tightSeconds = 3.0;  ///< s it goes on so, lest it turns to and fro
   CreepOptions creep;
-  double feltReach = 0.3; ///< metres from where something was felt that it creeps all the same
-  double retreat = 0.3;   ///< metres driven back along the way it came after a contact
+  double feltReach = 0.3;   ///< metres from where something was felt that it creeps all the same
+  double bumperReach = 0.2; ///< metres from where it was pressed at which a bumper is stuck
+  double retreat = 0.3;     ///< metres driven back along the way it came after a contact
   ObstacleMemory::Options memory;
 };
 
@@ -84,7 +85,7 @@ public:
    * Waits for the next tick and looks. While a device is silent the robot stands and the tick
    * waits for it. Frees the robot first when something holds it or a bumper is pressed.
    * @throw DeviceError when a device is gone or does not come back, the laser runs the wrong way
-   * round or the base is halted, StopRequested; the robot stands in all cases
+   * round, a bumper is stuck or the base is halted, StopRequested; the robot stands in all cases
    */
   const Sight &tick();
 
@@ -158,6 +159,7 @@ private:
   void see();
   void read();
   std::string silentDevice() const;
+  void checkBumpers();
   bool isHeld() const;
   void backOff();
   void believeInContact();
@@ -177,9 +179,10 @@ private:
   Trail m_trail;
   TurnCalibration m_turns;
   TurnWitness m_witness;
-  std::optional<Time> m_laserSpoke;      ///< when the last scan was taken that says enough
-  Twist2 m_commanded;                    ///< last
-  std::optional<Eigen::Vector2d> m_felt; ///< where it stood when it was held, odometry frame
+  std::optional<Time> m_laserSpoke;           ///< when the last scan was taken that says enough
+  std::optional<Eigen::Vector2d> m_pressedAt; ///< where it stood when a bumper was, odometry frame
+  Twist2 m_commanded;                         ///< last
+  std::optional<Eigen::Vector2d> m_felt;      ///< where it stood when it was held, odometry frame
   Sight m_sight;
   std::deque<BaseState> m_past; ///< a few seconds, oldest first
   Time m_nextTick;
