@@ -97,9 +97,7 @@ TEST_F(Contact, CreepsUntilItIsAwayFromWhereItFeltSomething)
   goAhead(40);
   const double felt = x();
   ASSERT_GT(base.driven().v, 0.2);
-  base.press = [](BaseState &state) { state.stalled = true; };
-  motion.tick();
-  base.press = [](BaseState &) {};
+  base.press = [held = 3](BaseState &state) mutable { state.stalled = held-- > 0; };
   double beside = 0.0;
   double away = 0.0;
   for (int i = 0; i < 300; ++i) {

@@ -220,8 +220,10 @@ void Motion::backOff()
   constexpr double kSpeed = 0.15; // m/s
   constexpr double kRate = 0.4;   // rad/s
   constexpr int kTicks = 8;
+  constexpr double kStraight = 0.01; // m/s; below it turns on the spot
   m_devices.base.drive({});
   m_felt = pose().translation();
+  const bool turning = std::abs(m_commanded.v) < kStraight && m_commanded.w != 0.0;
   believeInContact();
   // Where it stood a moment ago it was free.
   const Twist2 undo{-std::clamp(m_commanded.v, -kSpeed, kSpeed),
@@ -234,7 +236,37 @@ void Motion::backOff()
     stop(); // the way it came is the one that is barred
     return;
   }
-  retrace(m_options.retreat);
+  if (!retrace(m_options.retreat) && turning) {
+    sidle();
+  }
+}
+
+/** Creeps straight to where there is more room: what holds a corner in both turns lets it go on
+ * along its side. */
+void Motion::sidle()
+{
+  constexpr double kDistance = 0.15; // metres
+  constexpr double kLeast = 0.03;    // metres that were worth while
+  constexpr double kAhead = 0.5;     // metres looked at
+  constexpr int kTicks = 60;
+  constexpr int kStartTicks = 5; // a stall reported before is the old one
+  const auto room = [this](double v) {
+    return freeTravel(m_memory.sensed(pose()), m_footprint, {v, 0.0}, kAhead);
+  };
+  const double first = room(1.0) < room(-1.0) ? -1.0 : 1.0;
+  for (const double way : {first, -first}) {
+    const double begin = m_travelled;
+    for (int i = 0; i < kTicks && !m_stop && m_travelled - begin < kDistance &&
+                    room(way) > kLeast && (i <= kStartTicks || !isHeld());
+         ++i) {
+      venture({way * m_options.creep.speed, 0.0});
+      look();
+    }
+    stop();
+    if (m_travelled - begin > kLeast) {
+      return;
+    }
+  }
 }
 
 void Motion::believeInContact()
@@ -319,34 +351,35 @@ bool Motion::backOut(double distance)
   for (int i = 0; i < kTicks && m_travelled - begin < distance && !m_stop && !isHeld() &&
                   freeTravel(m_memory.sensed(pose()), m_footprint, back, kAhead) > kLeast;
        ++i) {
-    command(back);
+    venture(back);
     look();
   }
   stop();
   return m_travelled - begin > 0.5 * kLeast;
 }
 
-/** Commands a twist, but never on against a bumper that is pressed, and gently where what stands
- * unseen beside the robot was felt. */
+/** Commands a twist, but never on against a bumper that is pressed. */
 void Motion::command(const Twist2 &twist)
 {
   const BaseState &base = m_sight.base;
   m_commanded = {std::clamp(twist.v, base.bumpedBehind ? 0.0 : -kUnlimited,
                             base.bumpedAhead ? 0.0 : kUnlimited),
                  twist.w};
-  if (m_felt && (pose().translation() - *m_felt).norm() > m_options.feltReach) {
-    m_felt.reset();
-  }
-  if (m_felt) {
-    m_commanded = slowed(m_commanded, m_footprint, m_options.creep.speed);
-  }
   m_devices.base.drive(m_commanded);
+}
+
+/** Commands a twist over ground the robot has not just come over: gently where what stands unseen
+ * beside it was felt. */
+void Motion::venture(const Twist2 &twist)
+{
+  const bool beside = m_felt && (pose().translation() - *m_felt).norm() < m_options.feltReach;
+  command(beside ? slowed(twist, m_footprint, m_options.creep.speed) : twist);
 }
 
 /** Commands a twist, gently past what is near. */
 void Motion::go(const Twist2 &twist)
 {
-  command(creep(m_sight.points, m_footprint, twist, m_options.creep));
+  venture(creep(m_sight.points, m_footprint, twist, m_options.creep));
 }
 
 void Motion::stop()

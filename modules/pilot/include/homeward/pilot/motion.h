@@ -162,8 +162,10 @@ private:
   void checkBumpers();
   bool isHeld() const;
   void backOff();
+  void sidle();
   void believeInContact();
   void command(const Twist2 &twist);
+  void venture(const Twist2 &twist);
   void go(const Twist2 &twist);
   bool turnIsFree(double angle) const;
 
@@ -182,7 +184,7 @@ private:
   std::optional<Time> m_laserSpoke;           ///< when the last scan was taken that says enough
   std::optional<Eigen::Vector2d> m_pressedAt; ///< where it stood when a bumper was, odometry frame
   Twist2 m_commanded;                         ///< last
-  std::optional<Eigen::Vector2d> m_felt;      ///< where it stood when it was held, odometry frame
+  std::optional<Eigen::Vector2d> m_felt; ///< where it last stood when it was held, odometry frame
   Sight m_sight;
   std::deque<BaseState> m_past; ///< a few seconds, oldest first
   Time m_nextTick;
