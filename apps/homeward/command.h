@@ -18,6 +18,7 @@ void addLocalizeCommand(CliCommand app);
 void addEvaluateCommand(CliCommand app);
 
 /** Each adds its command of `map`. */
+void addMapNodeCommand(CliCommand map);
 void addMapEditCommand(CliCommand map);
 void addMapMergeCommand(CliCommand map);
 

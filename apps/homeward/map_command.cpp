@@ -34,6 +34,7 @@ struct MapArguments
   std::string format;
   std::string world;
   std::string json;
+  int width = 1200;
 };
 
 void info(const MapArguments &arguments)
@@ -99,6 +100,7 @@ void render(const MapArguments &arguments)
   const MapFile file = MapFile::open(arguments.map, MapFile::Access::Read);
   std::optional<TruthLog> truth = loadTruthLog(truthLogFile(arguments.map));
   MapPicture picture;
+  picture.width = arguments.width;
   picture.title = fs::path(arguments.map).stem().string();
   const bool known =
       truth && std::all_of(file.map().nodes().begin(), file.map().nodes().end(),
@@ -166,6 +168,9 @@ void addMapCommand(CliCommand app)
   renderCommand.examples("Example: homeward map render lab.hwm -o lab.png");
   renderCommand.option("map", arguments->map, "Map file").required();
   renderCommand.option("-o,--output", arguments->output, "Picture, .svg or .png");
+  renderCommand.option("--width", arguments->width, "Of the picture, pixels")
+      .between(200, 10000)
+      .showDefault();
   renderCommand.option("--world", arguments->world, "World file, where it has moved");
   renderCommand.run([arguments] {
     render(*arguments);
@@ -191,6 +196,7 @@ void addMapCommand(CliCommand app)
   checkCommand.option("maps", arguments->maps, "Map files").required();
   checkCommand.run([arguments] { return check(arguments->maps); });
 
+  addMapNodeCommand(map);
   addMapEditCommand(map);
   addMapMergeCommand(map);
 }

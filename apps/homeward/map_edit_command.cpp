@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command.h"
+#include "node_argument.h"
 
 #include <homeward/core/error.h>
 #include <homeward/place/same_place.h>
@@ -27,16 +28,6 @@ struct EditArguments
   bool force = false;
   bool lift = false;
 };
-
-NodeId nodeOf(const MapFile &file, const std::string &numberOrName)
-{
-  const std::optional<NodeId> node = file.map().find(numberOrName);
-  if (!node) {
-    throw ConfigError("map " + file.path().string() + " has no node " + numberOrName +
-                      "; `homeward map info` lists them");
-  }
-  return *node;
-}
 
 std::string numberText(NodeId node)
 {

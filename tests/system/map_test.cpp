@@ -3,6 +3,8 @@
 #include "room_map.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 namespace homeward
 {
@@ -86,6 +88,42 @@ TEST_F(MapCommand, CheckNamesWhatIsDamaged)
   EXPECT_THAT(run.data, HasSubstr("room.hwm: ok"));
   EXPECT_THAT(run.output, HasSubstr("cut.hwm"));
   expectRefused("check " + (folder / "none.hwm"), "there is no such file");
+}
+
+TEST_F(MapCommand, NodeTellsAllThatTheMapHoldsOfIt)
+{
+  map("edit rename " + file + " 3 kitchen");
+  const std::string picture = folder / "kitchen.png";
+  const std::string json = folder / "kitchen.json";
+  const ProgramRun run =
+      map("node kitchen --map " + file + " --picture " + picture + " --json " + json);
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.data, HasSubstr("node 3 kitchen\n"));
+  EXPECT_THAT(run.data, HasSubstr("panorama 720 x 160 pixels, -45 to +35 deg"));
+  EXPECT_THAT(run.data, HasSubstr("neighbours 1\n  node 2: "));
+  // Nodes 0 and 3 are one place.
+  EXPECT_THAT(run.data, HasSubstr("looks most like 3\n  node 0: distance 0."));
+
+  const nlohmann::json said = nlohmann::json::parse(fileText(json));
+  EXPECT_EQ(said["node"], 3);
+  EXPECT_EQ(said["name"], "kitchen");
+  EXPECT_EQ(said["neighbours"].size(), 1U);
+  EXPECT_EQ(said["alike"][0]["node"], 0);
+  EXPECT_LT(said["alike"][0]["distance"], said["alike"][1]["distance"]);
+  EXPECT_GT(said["alike"][0]["probability"], 0.9);
+
+  const cv::Mat drawn = cv::imread(picture);
+  EXPECT_EQ(drawn.cols, 1200);
+  EXPECT_EQ(map("node 3 --map " + file + " --picture - --json " + json).data.substr(1, 3), "PNG");
+  expectRefused("node 9 --map " + file, "has no node 9; ");
+  expectRefused("node cellar --map " + file, "has no node cellar; ");
+}
+
+TEST_F(MapCommand, RenderDrawsAsWideAsAskedFor)
+{
+  const std::string picture = folder / "room.png";
+  EXPECT_EQ(map("render " + file + " --width 800 -o " + picture).status, 0);
+  EXPECT_EQ(cv::imread(picture).cols, 800);
 }
 
 TEST_F(MapCommand, TwoMapsBecomeOne)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "words_apart.h"
 #include "xml.h"
 
 #include <homeward/core/angle.h>
@@ -121,7 +122,7 @@ TEST(MapPicture, SvgIsWellFormedAndHasEverything)
             2 + 3 + 1 + 1 + 1 + 1 + 3); // ways, ticks, path, route, bar, legend
   EXPECT_EQ(count(svg, "image"), 1);
   EXPECT_THAT(svg, HasSubstr("a &lt; b &amp; c"));
-  EXPECT_THAT(svg, HasSubstr("3 places, 2 ways, 1 open directions"));
+  EXPECT_THAT(svg, HasSubstr("3 places, 2 ways, 1 open direction<"));
   EXPECT_EQ(mapSvg(threePlaces(), picture), svg);
 }
 
@@ -153,6 +154,29 @@ TEST(MapPicture, RefusesWhatItCannotDraw)
   EXPECT_THROW(mapSvg(threePlaces(), picture), LogicError);
 }
 
+TEST(MapPicture, HasItsWordsApartWhateverItsWidth)
+{
+  for (const int width : {300, 400, 600, 700, 800, 900, 1000, 1200, 1600}) {
+    MapPicture picture = floorPicture();
+    picture.width = width;
+    picture.title = "lab";
+    picture.trajectory = {{2.0, 2.0}, {3.0, 2.5}, {7.0, 2.0}};
+    picture.route = {{0}, {1}};
+    expectWordsApart(mapSvg(threePlaces(), picture));
+    picture.poses.clear();
+    expectWordsApart(mapSvg(threePlaces(), picture));
+  }
+}
+
+TEST(MapPicture, CountsOnePlaceAsOne)
+{
+  TopologicalMap map;
+  map.apply(NodeAdded{{{0}}});
+  MapPicture picture;
+  picture.title = "lab";
+  EXPECT_THAT(mapSvg(map, picture), HasSubstr("1 place, 0 ways, 0 open directions"));
+}
+
 /** A full turn of far readings but for what `range` says. */
 template <class Range> Scan scanOf(const Range &range)
 {
@@ -177,7 +201,7 @@ TEST(ScanPicture, HasForwardOnTopAndLeftOnTheLeft)
   };
   const auto hitsOf = [&](double bearing) {
     const cv::Mat image = scanImage(wallAt(bearing), picture);
-    return middleOf(image.rowRange(0, image.rows - 40), kInk);
+    return middleOf(image.rowRange(0, image.rows - 64), kInk);
   };
   EXPECT_LT(hitsOf(0.0).y, 0.3);
   EXPECT_NEAR(hitsOf(0.0).x, 0.5, 0.05);
@@ -196,7 +220,7 @@ TEST(ScanPicture, ShowsOpenDirectionsAndWhatIsUnknown)
   picture.range = 6.0;
   picture.openDirections = {{-0.5 * kPi, 0.8, 6.0}};
   const cv::Mat image = scanImage(scan, picture);
-  const cv::Mat disc = image.rowRange(0, image.rows - 60); // above the legend
+  const cv::Mat disc = image.rowRange(0, image.rows - 64); // above the legend
   EXPECT_GT(middleOf(disc, kOpenShade).x, 0.6);
   EXPECT_LT(middleOf(disc.colRange(0, 200), kUnseen).y, 0.5);
 

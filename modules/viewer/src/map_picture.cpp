@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <homeward/viewer/map_picture.h>
 
+#include "legend.h"
 #include "symbols.h"
 
 #include <homeward/core/error.h>
@@ -17,10 +18,12 @@ namespace homeward
 namespace
 {
 
-constexpr double kBorder = 28.0;       // white round everything, pixels
-constexpr double kTitleHeight = 52.0;  // pixels
-constexpr double kLegendHeight = 34.0; // pixels
-constexpr int kSmallestWidth = 200;    // pixels
+constexpr double kBorder = 28.0;        // white round everything, pixels
+constexpr double kTitleHeight = 52.0;   // pixels
+constexpr double kFooterGap = 9.0;      // above legend and scale bar, pixels
+constexpr double kLongestBar = 130.0;   // of the scale, pixels
+constexpr double kBarLabelWidth = 66.0; // what stands before it, with a gap, pixels
+constexpr int kSmallestWidth = 200;     // pixels
 
 /** A rectangle of the world that grows with what it must hold. */
 struct Extent
@@ -90,17 +93,17 @@ public:
   {
     drawFloor(canvas);
     drawWays(canvas);
-    drawNodes(canvas);
     if (m_picture->robot && m_metric) {
       drawRobot(canvas, pixel(m_picture->robot->translation()), m_picture->robot->heading,
                 std::max(16.0, 0.5 * m_scale));
     }
+    drawNodes(canvas);
     drawTitle(canvas);
     if (m_metric) {
       drawScaleBar(canvas);
     }
     if (m_picture->legend) {
-      drawLegend(canvas);
+      legend().draw(canvas, {kBorder, footerY()});
     }
   }
 
@@ -138,8 +141,10 @@ private:
     const double title = m_picture->title.empty() ? 0.0 : kTitleHeight;
     m_corner = {kBorder + 0.5 * (room - m_scale * size.x()), kBorder + title};
     m_bottom = m_corner.y() + m_scale * size.y();
-    const double footer = (m_metric || m_picture->legend) ? kLegendHeight : 0.0;
-    m_height = static_cast<int>(std::ceil(m_bottom + footer + kBorder));
+    const double legend = m_picture->legend ? this->legend().height() : 0.0;
+    const double footer = m_metric ? std::max(legend, Legend::kRowHeight) : legend;
+    m_height = static_cast<int>(
+        std::ceil(m_bottom + (footer > 0.0 ? footer + kFooterGap : 0.0) + kBorder));
   }
 
   void drawFloor(Canvas &canvas) const
@@ -195,21 +200,31 @@ private:
       return;
     }
     canvas.text({kBorder, kBorder + 12.0}, m_picture->title, 13.0, palette::kInk, Anchor::Left);
-    const std::string facts = std::to_string(m_map->nodes().size()) + " places, " +
-                              std::to_string(m_map->edges().size()) + " ways, " +
-                              std::to_string(m_map->openDirectionCount()) + " open directions";
+    const std::string facts =
+        counted(m_map->nodes().size(), "place") + ", " + counted(m_map->edges().size(), "way") +
+        ", " + counted(static_cast<std::size_t>(m_map->openDirectionCount()), "open direction");
     canvas.text({kBorder, kBorder + 32.0}, facts, 9.0, palette::kFaint, Anchor::Left);
+  }
+
+  /** Middle of the first row below the map, pixels. */
+  double footerY() const { return m_bottom + kFooterGap + 0.5 * Legend::kRowHeight; }
+
+  /** Metres that the scale bar stands for: a round number, at most kLongestBar pixels. */
+  double barMetres() const
+  {
+    double metres = 0.1;
+    for (const double candidate : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
+      if (candidate * m_scale <= kLongestBar) {
+        metres = candidate;
+      }
+    }
+    return metres;
   }
 
   void drawScaleBar(Canvas &canvas) const
   {
-    double metres = 1.0;
-    for (const double candidate : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
-      if (candidate * m_scale <= 130.0) {
-        metres = candidate;
-      }
-    }
-    const double y = m_bottom + 24.0;
+    const double y = footerY() + 2.0;
+    const double metres = barMetres();
     const double right = m_picture->width - kBorder;
     const double left = right - metres * m_scale;
     const Style bar{std::nullopt, palette::kInk, 1.6};
@@ -219,35 +234,27 @@ private:
     canvas.text({left - 6.0, y}, label, 8.0, palette::kInk, Anchor::Right);
   }
 
-  void drawLegend(Canvas &canvas) const
+  /** What the symbols mean, in rows that leave room for the scale bar at the end of the first. */
+  Legend legend() const
   {
-    const double y = m_bottom + 22.0;
-    double x = kBorder + kNodeRadius;
-    const auto label = [&](double symbolWidth, const std::string &words) {
-      canvas.text({x + symbolWidth, y + 3.5}, words, 8.0, palette::kInk, Anchor::Left);
-      x += symbolWidth + 6.6 * static_cast<double>(words.size()) + 26.0;
-    };
-    const auto arrow = [&](DirectionState state) {
-      drawDirection(canvas, {x - kNodeRadius - 6.0, y}, 0.0, state);
-    };
-    drawNode(canvas, {x, y}, 0.0, "");
-    label(kNodeRadius + 11.0, "place and heading");
-    canvas.line({{x - 6.0, y}, {x + 18.0, y}}, {std::nullopt, palette::kWay, 2.4});
-    label(26.0, "way");
-    arrow(DirectionState::Open);
-    label(13.0, "open");
-    arrow(DirectionState::Driven);
-    label(13.0, "driven");
-    arrow(DirectionState::Closed);
-    label(13.0, "closed");
+    std::vector<LegendEntry> entries{{2.0 * kNodeRadius + 11.0, "place and heading",
+                                      [](Canvas &canvas, const Point &at) {
+                                        drawNode(canvas, at + Point(kNodeRadius, 0.0), 0.0, "");
+                                      }},
+                                     lineEntry("way", {std::nullopt, palette::kWay, 2.4})};
+    for (const DirectionState state :
+         {DirectionState::Open, DirectionState::Driven, DirectionState::Closed}) {
+      entries.push_back(directionEntry(state, std::string(name(state))));
+    }
     if (m_metric && m_picture->trajectory.size() > 1) {
-      canvas.line({{x - 6.0, y}, {x + 18.0, y}}, {std::nullopt, palette::kPath, 1.6});
-      label(26.0, "from stop to stop");
+      entries.push_back(lineEntry("from stop to stop", {std::nullopt, palette::kPath, 1.6}));
     }
     if (m_picture->route.size() > 1) {
-      canvas.line({{x - 6.0, y}, {x + 18.0, y}}, {std::nullopt, palette::kRoute, 5.0});
-      label(26.0, "route");
+      entries.push_back(lineEntry("route", {std::nullopt, palette::kRoute, 5.0}));
     }
+    const double room = m_picture->width - 2.0 * kBorder;
+    const double bar = m_metric ? barMetres() * m_scale + kBarLabelWidth : 0.0;
+    return {std::move(entries), room - bar, room};
   }
 
   Point place(NodeId id) const { return pixel(m_poses.at(id).translation()); }

@@ -17,11 +17,11 @@ namespace
 {
 
 constexpr Colour kUnseen{232, 235, 237};
-constexpr double kBorder = 66.0;       // room for the bearings round the disc, pixels
-constexpr double kTitleHeight = 34.0;  // pixels
-constexpr double kLegendHeight = 30.0; // pixels
-constexpr int kSmallestWidth = 200;    // pixels
-constexpr double kRobotLength = 0.5;   // metres
+constexpr double kBorder = 66.0;      // room for the bearings round the disc, pixels
+constexpr double kTitleHeight = 34.0; // pixels
+constexpr double kLegendX = 24.0;     // pixels
+constexpr int kSmallestWidth = 200;   // pixels
+constexpr double kRobotLength = 0.5;  // metres
 
 /** Metres from the middle that show every hit, in whole metres. */
 double neededRange(const Scan &scan)
@@ -57,7 +57,8 @@ public:
   int width() const { return m_picture->width; }
   int height() const
   {
-    return static_cast<int>(std::ceil(m_centre.y() + m_radius + 0.5 * kBorder + kLegendHeight));
+    return static_cast<int>(
+        std::ceil(m_centre.y() + m_radius + 0.5 * kBorder + legend().height() + 8.0));
   }
 
   void draw(Canvas &canvas) const
@@ -72,7 +73,7 @@ public:
     if (!m_picture->title.empty()) {
       canvas.text({24.0, 34.0}, m_picture->title, 12.0, palette::kInk, Anchor::Left);
     }
-    drawLegend(canvas);
+    legend().draw(canvas, {kLegendX, m_centre.y() + m_radius + 0.5 * kBorder + 8.0});
   }
 
 private:
@@ -165,26 +166,25 @@ private:
     }
   }
 
-  void drawLegend(Canvas &canvas) const
+  Legend legend() const
   {
-    const double y = height() - 22.0;
-    double x = 24.0;
-    const auto label = [&](const std::string &words) {
-      canvas.text({x + 18.0, y + 4.0}, words, 8.0, palette::kInk, Anchor::Left);
-      x += 18.0 + 6.6 * static_cast<double>(words.size()) + 28.0;
+    const auto patch = [](const std::string &words, Colour colour) {
+      return LegendEntry{18.0, words, [colour](Canvas &canvas, const Point &at) {
+                           canvas.polygon({at + Point(0.0, -6.0), at + Point(12.0, -6.0),
+                                           at + Point(12.0, 6.0), at + Point(0.0, 6.0)},
+                                          {colour, palette::kFaint, 0.8});
+                         }};
     };
-    const auto patch = [&](Colour colour) {
-      canvas.polygon({{x, y - 6.0}, {x + 12.0, y - 6.0}, {x + 12.0, y + 6.0}, {x, y + 6.0}},
-                     {colour, palette::kFaint, 0.8});
-    };
-    canvas.circle({x + 6.0, y}, 2.5, {palette::kInk, std::nullopt, 1.0});
-    label("hit");
-    patch(palette::kWhite);
-    label("seen free");
-    patch(kUnseen);
-    label("not seen");
-    patch(palette::kOpenShade);
-    label("open direction");
+    const double room = m_picture->width - 2.0 * kLegendX;
+    return {{{18.0, "hit",
+              [](Canvas &canvas, const Point &at) {
+                canvas.circle(at + Point(6.0, 0.0), 2.5, {palette::kInk, std::nullopt, 1.0});
+              }},
+             patch("seen free", palette::kWhite),
+             patch("not seen", kUnseen),
+             patch("open direction", palette::kOpenShade)},
+            room,
+            room};
   }
 
   const Scan *m_scan;

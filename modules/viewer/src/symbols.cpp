@@ -37,6 +37,20 @@ void drawDirection(Canvas &canvas, const Point &centre, double angle, DirectionS
   }
 }
 
+LegendEntry directionEntry(DirectionState state, const std::string &words)
+{
+  return {16.0, words, [state](Canvas &canvas, const Point &at) {
+            drawDirection(canvas, at - Point(kNodeRadius + 3.5, 0.0), 0.0, state);
+          }};
+}
+
+LegendEntry lineEntry(const std::string &words, const Style &style)
+{
+  return {32.0, words, [style](Canvas &canvas, const Point &at) {
+            canvas.line({at, at + Point(24.0, 0.0)}, style);
+          }};
+}
+
 void drawNode(Canvas &canvas, const Point &centre, double heading, const std::string &label)
 {
   canvas.circle(centre, kNodeRadius, {palette::kWhite, palette::kWay, 1.8});

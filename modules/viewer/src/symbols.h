@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "canvas.h"
+#include "legend.h"
 
 #include <homeward/topology/map.h>
 
@@ -38,6 +38,12 @@ void drawArrowHead(Canvas &canvas, const Point &base, double angle, double lengt
 
 /** The arrow of a direction in its state, outside a place at `centre`. */
 void drawDirection(Canvas &canvas, const Point &centre, double angle, DirectionState state);
+
+/** What the arrow of a direction in its state means. */
+LegendEntry directionEntry(DirectionState state, const std::string &words);
+
+/** What a line means. */
+LegendEntry lineEntry(const std::string &words, const Style &style);
 
 /** A place: disc with number, and a tick along its heading. Nothing is written for an empty label.
  */
