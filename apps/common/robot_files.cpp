@@ -7,16 +7,35 @@ namespace homeward
 {
 namespace fs = std::filesystem;
 
+namespace
+{
+
+/** A file that a rig names. */
+std::string beside(const fs::path &rigFile, const std::string &name)
+{
+  return (rigFile.parent_path() / name).lexically_normal().string();
+}
+
+} // namespace
+
 RobotFiles loadRobotFiles(const std::string &rigFile)
 {
   const fs::path path = rigFile.empty() ? shippedFile("rigs/sim.yaml") : fs::path(rigFile);
-  const Rig rig = parseRig(readText(path, "rig file"), path.string());
-  const std::string robotFile = (path.parent_path() / rig.robot).lexically_normal().string();
-  const RobotDescription robot =
-      parseRobotDescription(readText(robotFile, "robot description"), robotFile);
-  const std::string cameraFile = (path.parent_path() / rig.camera).lexically_normal().string();
-  const std::string cameraText = readText(cameraFile, "camera file");
-  return {path, rig, robotFile, robot, cameraText, parseMirrorCamera(cameraText, cameraFile)};
+  const std::string rigText = readText(path, "rig file");
+  const Rig rig = parseRig(rigText, path.string());
+  return parseRobotFiles(path, rigText, readText(beside(path, rig.robot), "robot description"),
+                         readText(beside(path, rig.camera), "camera file"));
+}
+
+RobotFiles parseRobotFiles(const fs::path &rigFile, const std::string &rigText,
+                           const std::string &robotText, const std::string &cameraText)
+{
+  const Rig rig = parseRig(rigText, rigFile.string());
+  const std::string robotFile = beside(rigFile, rig.robot);
+  return {rigFile,    rigText,
+          rig,        robotFile,
+          robotText,  parseRobotDescription(robotText, robotFile),
+          cameraText, parseMirrorCamera(cameraText, beside(rigFile, rig.camera))};
 }
 
 } // namespace homeward

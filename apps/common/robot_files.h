@@ -14,10 +14,12 @@ namespace homeward
 struct RobotFiles
 {
   std::filesystem::path rigFile;
+  std::string rigText; ///< this file, as it stands
   Rig rig;
   std::string robotFile; ///< URDF file
+  std::string robotText; ///< likewise
   RobotDescription robot;
-  std::string cameraText; ///< the camera file, as it stands
+  std::string cameraText; ///< of the camera file
   MirrorCamera camera;
 };
 
@@ -27,5 +29,13 @@ struct RobotFiles
  * @throw ConfigError naming the file that is missing or wrong
  */
 RobotFiles loadRobotFiles(const std::string &rigFile);
+
+/**
+ * The same of files that were read before.
+ * @param rigFile where the rig file stood
+ * @throw ConfigError naming the file that is wrong
+ */
+RobotFiles parseRobotFiles(const std::filesystem::path &rigFile, const std::string &rigText,
+                           const std::string &robotText, const std::string &cameraText);
 
 } // namespace homeward

@@ -9,6 +9,7 @@ namespace homeward
 /** Each adds its command. */
 void addExploreCommand(CliCommand app);
 void addNavigateCommand(CliCommand app);
+void addReplayCommand(CliCommand app);
 void addRigCommand(CliCommand app);
 void addMapCommand(CliCommand app);
 void addUnwrapCommand(CliCommand app);

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "explore.h"
+
 #include "command.h"
 #include "files.h"
-#include "mission_robot.h"
-#include "mission_setup.h"
 #include "operated.h"
+#include "recording.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
 #include <homeward/evaluation/mission_truth.h>
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/mission/explorer.h>
+#include <homeward/record/replayed_devices.h>
 #include <homeward/run/run_mission.h>
 
 #include <nlohmann/json.hpp>
@@ -23,17 +25,6 @@ namespace homeward
 namespace
 {
 
-struct ExploreArguments
-{
-  RobotArguments robot;
-  std::string map;
-  ExploreSettings settings;
-  bool overwrite = false;
-  bool resume = false;
-  bool verbose = false;
-  std::string json;
-};
-
 /** One exploration, from its files to its summary. */
 class Exploration
 {
@@ -41,8 +32,9 @@ public:
   explicit Exploration(const ExploreArguments &arguments)
       : m_arguments(arguments), m_before(loadBefore()),
         m_robot(makeMissionRobot(arguments.robot,
-                                 m_before ? std::optional(m_before->end) : std::nullopt)),
-        m_devices(m_robot->devices()), m_begin(m_devices.clock.now()),
+                                 m_before ? std::optional(m_before->end) : std::nullopt,
+                                 mission(arguments))),
+        m_devices(m_robot->devices()), m_begin(m_robot->watch()),
         m_pilotOptions(
             explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
         m_file(openFile()), m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera,
@@ -61,14 +53,14 @@ public:
 
   Finish run()
   {
-    Finish finish =
-        runOperated(*m_robot, m_operator.get(), m_arguments.robot, [this] { return goOn(); });
+    Finish finish = exploreOn();
     endProgress();
     m_file.close();
     return finish;
   }
 
-  void summarise(const Finish &finish, double wallSeconds)
+  /** @return false when a replay differs from what was recorded */
+  bool summarise(const Finish &finish, double wallSeconds)
   {
     const TopologicalMap &map = m_file.map();
     const double robotSeconds = seconds();
@@ -94,7 +86,9 @@ public:
     if (truth) {
       judge(*truth, json);
     }
+    const bool same = m_robot->finish(json);
     writeJson(m_arguments.json, json);
+    return same;
   }
 
   void sayHowToGoOn() const
@@ -110,6 +104,30 @@ public:
   }
 
 private:
+  /** What a replay must know. */
+  static nlohmann::json mission(const ExploreArguments &arguments)
+  {
+    return {{"command", "explore"},
+            {"settings", settingsJson(arguments.settings)},
+            {"resume", arguments.resume}};
+  }
+
+  Finish exploreOn()
+  {
+    try {
+      return runOperated(*m_robot, m_operator.get(), m_arguments.robot, [this] { return goOn(); });
+    }
+    catch (const RecordingEnded &end) {
+      return {Outcome::Stopped, end.what()};
+    }
+    catch (const DeviceError &fault) {
+      if (m_arguments.robot.replay.empty()) {
+        throw;
+      }
+      return {Outcome::Failed, fault.what()}; // as then
+    }
+  }
+
   /** Explores on from what the map file holds, of a drive that broke off too. */
   Finish goOn()
   {
@@ -129,18 +147,26 @@ private:
   MapFile openFile() const
   {
     const MapHeader header = mapHeader(m_robot->files(), m_pilotOptions);
-    if (m_arguments.resume) {
-      MapFile file = MapFile::open(m_arguments.map);
-      file.expectMadeWith(header);
-      return file;
+    const auto ifExists =
+        m_arguments.overwrite ? MapFile::IfExists::Replace : MapFile::IfExists::Refuse;
+    if (!m_arguments.resume) {
+      return MapFile::create(m_arguments.map, header, ifExists);
     }
-    return MapFile::create(m_arguments.map, header,
-                           m_arguments.overwrite ? MapFile::IfExists::Replace
-                                                 : MapFile::IfExists::Refuse);
+    if (!m_arguments.robot.replay.empty()) {
+      const MapFile before =
+          MapFile::open(mapBefore(m_arguments.robot.replay), MapFile::Access::Read);
+      return MapFile::copyOf(before, m_arguments.map, ifExists);
+    }
+    MapFile file = MapFile::open(m_arguments.map);
+    file.expectMadeWith(header);
+    if (!m_arguments.robot.record.file.empty()) {
+      keepMapBefore(file, m_arguments.robot.record.file);
+    }
+    return file;
   }
 
   /** Of robot time since the beginning. */
-  double seconds() const { return toSeconds(m_devices.clock.now() - m_begin); }
+  double seconds() const { return toSeconds(m_robot->watch() - m_begin); }
 
   const char *timeName() const { return m_robot->runsByItself() ? "robot time" : "simulated"; }
 
@@ -199,6 +225,7 @@ private:
       std::printf("%s\n", line.c_str());
     }
     std::fflush(stdout);
+    m_robot->note({{"event", "step"}, {"lines", step.log}});
     if (const std::optional<Truth> truth = m_robot->truth()) {
       m_truth.path.push_back(truth->pose.translation());
       saveTruth(truth->pose);
@@ -240,20 +267,23 @@ private:
   std::unique_ptr<OperatorInput> m_operator; ///< null in simulation
 };
 
+} // namespace
+
 int explore(const ExploreArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
   Exploration exploration(arguments);
   const Finish finish = exploration.run();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  exploration.summarise(finish, wall.count());
+  const bool same = exploration.summarise(finish, wall.count());
+  if (!arguments.robot.replay.empty()) {
+    return same ? kExitDone : kExitFailed;
+  }
   if (finish.outcome == Outcome::Stopped) {
     exploration.sayHowToGoOn();
   }
   return finish.outcome == Outcome::Done ? kExitDone : kExitFailed;
 }
-
-} // namespace
 
 void addExploreCommand(CliCommand app)
 {
@@ -262,6 +292,7 @@ void addExploreCommand(CliCommand app)
   command.examples("Examples: homeward explore --world data/worlds/lab.sdf --map lab.hwm\n"
                    "          homeward explore --rig my_rig.yaml --map house.hwm");
   addRobotArguments(command, arguments->robot);
+  addRecordOptions(command, arguments->robot.record);
   command.option("--map", arguments->map, "Map file to write").required();
   addExploreSettings(command, arguments->settings);
   command.flag("--overwrite", arguments->overwrite, "Replace an existing map");

@@ -10,6 +10,7 @@ int main(int argc, char **argv)
   program.requireCommand();
   homeward::addExploreCommand(program);
   homeward::addNavigateCommand(program);
+  homeward::addReplayCommand(program);
   homeward::addRigCommand(program);
   homeward::addMapCommand(program);
   homeward::addUnwrapCommand(program);

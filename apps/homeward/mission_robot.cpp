@@ -2,6 +2,7 @@
 #include "mission_robot.h"
 
 #include "real_robot.h"
+#include "recording.h"
 #include "remote_truth.h"
 
 #include <homeward/core/error.h>
@@ -72,6 +73,32 @@ private:
   std::unique_ptr<RemoteTruth> m_truth;
 };
 
+/** As makeMissionRobot(), neither recorded nor replayed. */
+std::unique_ptr<MissionRobot> makePresentRobot(const RobotArguments &arguments,
+                                               std::optional<Pose2> start)
+{
+  RobotFiles files = loadRobotFiles(arguments.simulation.rig);
+  if (!files.rig.devices) {
+    if (arguments.clockRate != 0.0 || !arguments.truth.empty()) {
+      throw ConfigError("--clock-rate and --truth need a rig with real devices, and " +
+                        files.rigFile.string() + " has none");
+    }
+    return std::make_unique<InProcess>(arguments, start);
+  }
+  if (!arguments.simulation.world.empty() || !arguments.simulation.start.empty()) {
+    throw ConfigError("the rig " + files.rigFile.string() +
+                      " is a real one: it has no --world and no --start");
+  }
+  if (arguments.restless > 0) {
+    throw ConfigError("the rig " + files.rigFile.string() +
+                      " is a real one: its people come by themselves, without --restless");
+  }
+  if (arguments.clockRate != 0.0) {
+    files.rig.devices->clockRate = arguments.clockRate;
+  }
+  return std::make_unique<Connected>(std::move(files), arguments.truth);
+}
+
 } // namespace
 
 void addRestless(CliCommand command, std::size_t &people)
@@ -103,28 +130,15 @@ void addRobotArguments(CliCommand command, RobotArguments &arguments)
 }
 
 std::unique_ptr<MissionRobot> makeMissionRobot(const RobotArguments &arguments,
-                                               std::optional<Pose2> start)
+                                               std::optional<Pose2> start,
+                                               const nlohmann::json &mission)
 {
-  RobotFiles files = loadRobotFiles(arguments.simulation.rig);
-  if (!files.rig.devices) {
-    if (arguments.clockRate != 0.0 || !arguments.truth.empty()) {
-      throw ConfigError("--clock-rate and --truth need a rig with real devices, and " +
-                        files.rigFile.string() + " has none");
-    }
-    return std::make_unique<InProcess>(arguments, start);
+  if (!arguments.replay.empty()) {
+    return replayedRobot(arguments.replay);
   }
-  if (!arguments.simulation.world.empty() || !arguments.simulation.start.empty()) {
-    throw ConfigError("the rig " + files.rigFile.string() +
-                      " is a real one: it has no --world and no --start");
-  }
-  if (arguments.restless > 0) {
-    throw ConfigError("the rig " + files.rigFile.string() +
-                      " is a real one: its people come by themselves, without --restless");
-  }
-  if (arguments.clockRate != 0.0) {
-    files.rig.devices->clockRate = arguments.clockRate;
-  }
-  return std::make_unique<Connected>(std::move(files), arguments.truth);
+  std::unique_ptr<MissionRobot> robot = makePresentRobot(arguments, start);
+  return arguments.record.file.empty() ? std::move(robot)
+                                       : recordedRobot(std::move(robot), arguments.record, mission);
 }
 
 } // namespace homeward

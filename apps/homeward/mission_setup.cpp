@@ -5,6 +5,8 @@
 #include <homeward/mission/navigator.h>
 #include <homeward/store/content_hash.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <unistd.h>
@@ -65,6 +67,28 @@ void addExploreSettings(CliCommand command, ExploreSettings &settings)
   command.option("--max-time", settings.maxTime, "Seconds of robot time after which it stops")
       .positive()
       .showDefault();
+}
+
+nlohmann::json settingsJson(const ExploreSettings &settings)
+{
+  return {{"forward_distance", settings.forwardDistance},
+          {"homing", settings.homing},
+          {"histogram_threshold", settings.histogramThreshold},
+          {"max_time", settings.maxTime},
+          {"close_known", settings.closeKnown},
+          {"equal_costs", settings.equalCosts}};
+}
+
+ExploreSettings exploreSettings(const nlohmann::json &json)
+{
+  ExploreSettings settings;
+  json.at("forward_distance").get_to(settings.forwardDistance);
+  json.at("homing").get_to(settings.homing);
+  json.at("histogram_threshold").get_to(settings.histogramThreshold);
+  json.at("max_time").get_to(settings.maxTime);
+  json.at("close_known").get_to(settings.closeKnown);
+  json.at("equal_costs").get_to(settings.equalCosts);
+  return settings;
 }
 
 PilotOptions explorationOptions(const Rig &rig, bool runsByItself, const ExploreSettings &settings)

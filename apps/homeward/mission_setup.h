@@ -8,6 +8,8 @@
 #include <homeward/pilot/pilot.h>
 #include <homeward/store/map_file.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 
 namespace homeward
@@ -36,6 +38,12 @@ struct ExploreSettings
 /** `--forward-distance`, `--homing`, `--histogram-threshold`, `--close-known`, `--equal-costs`,
  * `--max-time`. */
 void addExploreSettings(CliCommand command, ExploreSettings &settings);
+
+/** For a recording. */
+nlohmann::json settingsJson(const ExploreSettings &settings);
+
+/** Inverse of settingsJson(). @throw std::exception when they are none */
+ExploreSettings exploreSettings(const nlohmann::json &json);
 
 /** As pilotOptions(), for an exploration. */
 PilotOptions explorationOptions(const Rig &rig, bool runsByItself, const ExploreSettings &settings);

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "navigate.h"
+
 #include "command.h"
 #include "files.h"
-#include "mission_robot.h"
 #include "mission_setup.h"
 #include "navigation_goals.h"
 #include "operated.h"
+#include "recording.h"
 #include "stop_signal.h"
 
 #include <homeward/core/error.h>
 #include <homeward/core/random.h>
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/homing/homing_method.h>
+#include <homeward/record/replayed_devices.h>
 
 #include <nlohmann/json.hpp>
 
@@ -23,20 +26,6 @@ namespace homeward
 {
 namespace
 {
-
-struct NavigateArguments
-{
-  RobotArguments robot;
-  std::string map;
-  std::string to;
-  int repeat = 1;
-  std::int64_t from = -1;
-  std::string homing = "minwarping";
-  double maxTime = 3600.0;
-  bool refresh = false;
-  bool verbose = false;
-  std::string json;
-};
 
 void requireNode(const MapFile &file, std::int64_t node)
 {
@@ -158,14 +147,35 @@ void sayWhatPicturesShow(const std::vector<NavigationGoal> &goals)
   }
 }
 
+/** The drive of a replay on which there is nothing more. */
+GoalReport endedAt(NodeId goal, const RuntimeError &why)
+{
+  GoalReport report;
+  report.goal = goal;
+  report.outcome = Outcome::Stopped;
+  report.reason = why.what();
+  return report;
+}
+
 /** Drives to the goals in turn, over and over, until somebody stops it. */
 Visits visitInTurn(const NavigateArguments &arguments, const std::vector<NavigationGoal> &goals,
                    Navigation &navigation, MissionRobot &robot, const std::optional<TruthLog> &log)
 {
   const std::unique_ptr<OperatorInput> hands = makeOperator(robot, arguments.robot);
-  const auto driveTo = [&](NodeId node) {
-    return runOperated(robot, hands.get(), arguments.robot,
-                       [&] { return navigation.driveTo(node, arguments.maxTime); });
+  const auto driveTo = [&](NodeId node) -> GoalReport {
+    try {
+      return runOperated(robot, hands.get(), arguments.robot,
+                         [&] { return navigation.driveTo(node, arguments.maxTime); });
+    }
+    catch (const RecordingEnded &end) {
+      return endedAt(node, end);
+    }
+    catch (const DeviceError &fault) {
+      if (arguments.robot.replay.empty()) {
+        throw;
+      }
+      return endedAt(node, fault); // as then
+    }
   };
   Visits visits;
   for (int round = 0; arguments.repeat == 0 || round < arguments.repeat; ++round) {
@@ -229,38 +239,76 @@ nlohmann::json summary(const Visits &visits, const Finish &finish, const Topolog
   return json;
 }
 
+/** What a replay must know. */
+nlohmann::json mission(const NavigateArguments &arguments)
+{
+  return {{"command", "navigate"},         {"to", arguments.to},
+          {"repeat", arguments.repeat},    {"homing", arguments.homing},
+          {"max_time", arguments.maxTime}, {"refresh", arguments.refresh}};
+}
+
+/** The map to drive in; of a replay the one that was driven in, or a copy to refresh. */
+MapFile openMap(const NavigateArguments &arguments)
+{
+  if (!arguments.robot.replay.empty()) {
+    MapFile before = MapFile::open(mapBefore(arguments.robot.replay), MapFile::Access::Read);
+    return arguments.refresh ? MapFile::copyOf(before, arguments.map,
+                                               arguments.overwrite ? MapFile::IfExists::Replace
+                                                                   : MapFile::IfExists::Refuse)
+                             : std::move(before);
+  }
+  MapFile file = MapFile::open(arguments.map, arguments.refresh ? MapFile::Access::ReadWrite
+                                                                : MapFile::Access::Read);
+  if (!arguments.robot.record.file.empty()) {
+    keepMapBefore(file, arguments.robot.record.file);
+  }
+  return file;
+}
+
+} // namespace
+
+NavigateArguments navigateArguments(const nlohmann::json &mission)
+{
+  NavigateArguments arguments;
+  mission.at("to").get_to(arguments.to);
+  mission.at("repeat").get_to(arguments.repeat);
+  mission.at("homing").get_to(arguments.homing);
+  mission.at("max_time").get_to(arguments.maxTime);
+  mission.at("refresh").get_to(arguments.refresh);
+  return arguments;
+}
+
 int navigate(const NavigateArguments &arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
-  MapFile file = MapFile::open(arguments.map, arguments.refresh ? MapFile::Access::ReadWrite
-                                                                : MapFile::Access::Read);
+  MapFile file = openMap(arguments);
   const std::vector<GoalWord> words = parseGoals(arguments.to, file);
   if (arguments.from >= 0) {
     requireNode(file, arguments.from);
   }
   const std::optional<TruthLog> log = loadTruthLog(truthLogFile(arguments.map));
   const std::unique_ptr<MissionRobot> robot =
-      makeMissionRobot(arguments.robot, startPose(arguments, log));
+      makeMissionRobot(arguments.robot, startPose(arguments, log), mission(arguments));
   const PilotOptions options =
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
   const Devices devices = robot->devices();
-  const Clock &clock = devices.clock;
-  const Time start = clock.now();
-  const auto seconds = [&] { return toSeconds(clock.now() - start); };
+  const Time start = robot->watch();
+  const auto seconds = [&] { return toSeconds(robot->watch() - start); };
   Pilot pilot(devices, robot->files().robot, robot->files().camera, options, stopSignal());
   if (arguments.verbose) {
     pilot.trace = [&](const std::string &line) {
       std::printf("  # %.1f s %s\n", seconds(), line.c_str());
     };
   }
-  Navigation navigation(file, pilot, clock, arguments.refresh ? &file : nullptr);
+  Navigation navigation(file, pilot, devices.clock, arguments.refresh ? &file : nullptr);
   navigation.onStep = [&](const Step<NavigatorState> &step) {
     endProgress();
     for (const std::string &line : step.log) {
       std::printf("%s\n", line.c_str());
     }
     std::fflush(stdout);
+    robot->note({{"event", "step"}, {"lines", step.log}});
     showProgress("robot time " + std::to_string(std::lround(seconds())) + " s");
   };
   const std::vector<NavigationGoal> goals =
@@ -280,11 +328,13 @@ int navigate(const NavigateArguments &arguments)
   json["sim_time_s"] = seconds();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   json["wall_time_s"] = wall.count();
+  const bool same = robot->finish(json);
   writeJson(arguments.json, json);
+  if (!arguments.robot.replay.empty()) {
+    return same ? kExitDone : kExitFailed;
+  }
   return finish.outcome == Outcome::Done ? kExitDone : kExitFailed;
 }
-
-} // namespace
 
 void addNavigateCommand(CliCommand app)
 {
@@ -295,6 +345,7 @@ void addNavigateCommand(CliCommand app)
                    "A picture is one of the robot's mirror, or a panorama as unwrap writes it.\n"
                    "Without --start or --from the simulated robot stands where it was left.");
   addRobotArguments(command, arguments->robot);
+  addRecordOptions(command, arguments->robot.record);
   command.option("--map", arguments->map, "Map file").required();
   command.option("--to", arguments->to, "Goals in turn: numbers or names of nodes, or pictures")
       .required();

@@ -24,7 +24,8 @@ std::unique_ptr<OperatorInput> makeOperator(MissionRobot &robot, const RobotArgu
 bool mended(const DeviceError &fault, MissionRobot &robot, OperatorInput *hands,
             const RobotArguments &arguments);
 
-/** Runs a mission, and on after each fault that was mended. @throw DeviceError after any other */
+/** Runs a mission, and on after each fault that was mended, or was when it was recorded. @throw
+ * DeviceError after any other */
 template <class Mission>
 auto runOperated(MissionRobot &robot, OperatorInput *hands, const RobotArguments &arguments,
                  Mission mission)
@@ -34,7 +35,7 @@ auto runOperated(MissionRobot &robot, OperatorInput *hands, const RobotArguments
       return mission();
     }
     catch (const DeviceError &fault) {
-      if (!mended(fault, robot, hands, arguments)) {
+      if (!robot.wentOn() && !mended(fault, robot, hands, arguments)) {
         throw;
       }
     }

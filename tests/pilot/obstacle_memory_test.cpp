@@ -84,14 +84,35 @@ TEST(ObstacleMemory, TakesNearEchoesOnly)
   EXPECT_NEAR(memory.points({})[0].x(), 0.45, 1e-9);
 }
 
+/** Counts a computation as done when it is told to. */
+struct ToldClock final : Clock
+{
+  bool done = false;
+
+  Time now() const override { return {}; }
+  void sleepUntil(Time /*instant*/) override {}
+  bool counts(bool /*done*/) override { return done; }
+};
+
 TEST(VisionWorker, DeliversAtTheFixedTimeAndNotBefore)
 {
+  ToldClock clock;
   VisionWorker<int> worker(fromSeconds(0.2));
   worker.request(Time{}, [] { return 7; });
   EXPECT_TRUE(worker.busy());
-  EXPECT_FALSE(worker.deliver(Time(fromSeconds(0.19)), true));
-  EXPECT_EQ(worker.deliver(Time(fromSeconds(0.2)), true), 7);
+  EXPECT_FALSE(worker.deliver(Time(fromSeconds(0.19)), true, clock));
+  EXPECT_EQ(worker.deliver(Time(fromSeconds(0.2)), true, clock), 7);
   EXPECT_FALSE(worker.busy());
+}
+
+TEST(VisionWorker, DeliversToWhoDoesNotWaitWhenTheClockSaysSo)
+{
+  ToldClock clock;
+  VisionWorker<int> worker(fromSeconds(0.2));
+  worker.request(Time{}, [] { return 7; });
+  EXPECT_FALSE(worker.deliver(Time(fromSeconds(0.2)), false, clock));
+  clock.done = true;
+  EXPECT_EQ(worker.deliver(Time(fromSeconds(0.3)), false, clock), 7);
 }
 
 } // namespace

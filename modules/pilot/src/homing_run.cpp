@@ -108,7 +108,8 @@ HomingRun::Result HomingRun::comeCloser()
 void HomingRun::perceive()
 {
   const Time now = m_motion.devices().clock.now();
-  if (const auto result = m_worker.deliver(now, m_options.waitForVision)) {
+  if (const auto result =
+          m_worker.deliver(now, m_options.waitForVision, m_motion.devices().clock)) {
     if (*result && (*result)->confidence >= m_options.minConfidence) {
       take(**result, m_pictureAt);
       m_lastSeen = now;

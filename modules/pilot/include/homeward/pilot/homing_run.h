@@ -66,11 +66,12 @@ public:
   /** How it ended, and the stored heading of the place in the odometry frame when it arrived. */
   struct Result
   {
-    HomingEnd end = HomingEnd::Lost;
-    double oPlaceHeading = 0.0;
-    bool settled = false; ///< within settledProxy of the place, turned as it was seen
+    HomingEnd end = HomingEnd::Lost; ///< why it ended
+    double oPlaceHeading = 0.0;      ///< of the place, odometry frame, radians
+    bool settled = false;            ///< within settledProxy of the place, turned as it was seen
   };
 
+  /** `motion` and `servo` must outlive it. @param look takes a panorama */
   HomingRun(Motion &motion, HomingServo &servo, const HomingRunOptions &options, Look look);
 
   /**

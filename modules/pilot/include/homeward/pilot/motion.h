@@ -23,16 +23,16 @@ namespace homeward
 /** The robot's devices; whoever owns them outlives their users. */
 struct Devices
 {
-  Clock &clock;
-  MobileBase &base;
-  LaserScanner &laser;
-  ImageSource &camera;
+  Clock &clock;        ///< robot time
+  MobileBase &base;    ///< wheels
+  LaserScanner &laser; ///< ranges
+  ImageSource &camera; ///< mirror pictures
 };
 
 /** Settings of the control loop. */
 struct MotionOptions
 {
-  double tickSeconds = 0.1;
+  double tickSeconds = 0.1;   ///< of the control loop
   double baseSilence = 0.3;   ///< s without news of the base: the robot waits, standing
   double laserSilence = 0.3;  ///< s without a scan that says anything, likewise
   double cameraSilence = 0.5; ///< s without a picture, likewise, of a camera that runs by itself
@@ -44,11 +44,11 @@ struct MotionOptions
   double tightMargin = 0.03;  ///< metres kept where there is no other way, ...
   double tightSpeed = 0.15;   ///< m/s, ... driven slowly
   double tightSeconds = 3.0;  ///< s it goes on so, lest it turns to and fro
-  CreepOptions creep;
-  double feltReach = 0.3;   ///< metres from where something was felt that it creeps all the same
-  double bumperReach = 0.2; ///< metres from where it was pressed at which a bumper is stuck
-  double retreat = 0.3;     ///< metres driven back along the way it came after a contact
-  ObstacleMemory::Options memory;
+  CreepOptions creep;         ///< how slowly it passes what is near
+  double feltReach = 0.3;     ///< metres from where something was felt that it creeps all the same
+  double bumperReach = 0.2;   ///< metres from where it was pressed at which a bumper is stuck
+  double retreat = 0.3;       ///< metres driven back along the way it came after a contact
+  ObstacleMemory::Options memory; ///< of obstacles out of sight
 };
 
 /** Thrown inside the pilot when somebody asks the robot to stop; the robot stands when it arrives.
@@ -66,7 +66,7 @@ public:
   /** What a tick saw. */
   struct Sight
   {
-    BaseState base;
+    BaseState base;                      ///< newest
     std::optional<Scan> scan;            ///< newest, laser frame
     std::vector<Eigen::Vector2d> points; ///< obstacles near by, robot frame, metres
   };
@@ -89,6 +89,7 @@ public:
    */
   const Sight &tick();
 
+  /** What the last tick saw. */
   const Sight &sight() const { return m_sight; }
   /** By odometry, as far as it has been learnt how much turns skid. */
   const Pose2 &pose() const { return m_sight.base.odometry; }
@@ -101,6 +102,7 @@ public:
 
   /** See TurnCalibration. */
   double turned() const { return m_turns.turned(); }
+  /** Takes what a view says was lost or gained in `turned`, radians. See TurnCalibration. */
   bool learnTurns(double turned, double missing) { return m_turns.learn(turned, missing); }
 
   /** How narrow a way may be. */
@@ -152,6 +154,7 @@ public:
   /** Zero velocity; returns when the robot stands. */
   void stop();
 
+  /** What it drives with. */
   Devices &devices() { return m_devices; }
 
 private:

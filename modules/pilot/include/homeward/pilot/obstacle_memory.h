@@ -20,6 +20,7 @@ namespace homeward
 class ObstacleMemory
 {
 public:
+  /** How long and how far obstacles are believed. */
   struct Options
   {
     double reach = 3.0;         ///< metres from the robot's centre; farther points are forgotten
@@ -28,6 +29,7 @@ public:
     double sonarReach = 0.3;    ///< metres; the place of a longer echo is too vague to pass doors
   };
 
+  /** Believes in nothing at first. */
   explicit ObstacleMemory(const Options &options);
 
   /**

@@ -20,12 +20,12 @@ namespace homeward
 /** Settings of the pilot. */
 struct PilotOptions
 {
-  MotionOptions motion;
-  PlaceMemory::Options places;
-  HomingRunOptions homing;
-  OpenDirectionOptions directions;
+  MotionOptions motion;                    ///< of the control loop
+  PlaceMemory::Options places;             ///< of recognising places
+  HomingRunOptions homing;                 ///< of driving home by sight
+  OpenDirectionOptions directions;         ///< of directions worth exploring
   std::string homingMethod = "minwarping"; ///< see makeHomingMethod()
-  PanoramaGeometry panorama;
+  PanoramaGeometry panorama;               ///< of the pictures that places are known by
   double leastSure = 0.9; ///< probability of standing at a node below which it was not reached
 };
 

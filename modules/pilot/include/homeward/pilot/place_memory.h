@@ -22,15 +22,17 @@ public:
   /** What is compared of a panorama. */
   struct View
   {
-    Signature edges;     ///< AlignedEdges
-    Signature histogram; ///< Jeffrey
-    ColumnFeatures columns;
+    Signature edges;        ///< AlignedEdges
+    Signature histogram;    ///< Jeffrey
+    ColumnFeatures columns; ///< for min-warping
   };
 
   Verification verify(const Panorama &current, const Panorama &stored) override;
 
+  /** Looks at both in every way that samePlaceProbability() asks for. */
   PairLook compare(const View &current, const View &stored) const;
 
+  /** What is compared of it, computed once. */
   View prepare(const Panorama &panorama) const;
 
 private:
@@ -48,15 +50,17 @@ enum class Recognition
 class PlaceMemory
 {
 public:
+  /** How places are recognised. */
   struct Options
   {
-    Recognition recognition = Recognition::Verified;
+    Recognition recognition = Recognition::Verified; ///< by which of the two
     /** Of Histogram: Jeffrey divergence on kReferencePixels up to which a place is recognised. */
     double histogramThreshold = 500.0;
     std::size_t candidates =
         40; ///< of Verified: places compared pair by pair, the most alike first
   };
 
+  /** Knows no place at first. */
   explicit PlaceMemory(const Options &options);
 
   /** @throw LogicError when the node is known already */
@@ -65,6 +69,7 @@ public:
   /** The place is known by another picture from now on. @throw LogicError for an unknown node */
   void replace(NodeId node, const Panorama &panorama);
 
+  /** Whether add() was called for the node. */
   bool knows(NodeId node) const { return m_places.contains(node); }
 
   /** @throw LogicError for an unknown node */

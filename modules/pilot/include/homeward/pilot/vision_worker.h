@@ -2,6 +2,7 @@
 #pragma once
 
 #include <homeward/core/time.h>
+#include <homeward/robot/clock.h>
 
 #include <future>
 #include <optional>
@@ -35,13 +36,14 @@ public:
    * The result of the request under way, once its time has come. In simulation the caller then
    * waits for the computation; a real robot's loop passes `wait` false and asks again at its next
    * tick.
+   * @param clock says whether it counts as done, see Clock::counts()
    */
-  std::optional<Result> deliver(Time now, bool wait)
+  std::optional<Result> deliver(Time now, bool wait, Clock &clock)
   {
     if (!m_pending.valid() || now < m_due) {
       return std::nullopt;
     }
-    if (!wait && m_pending.wait_for(Duration::zero()) != std::future_status::ready) {
+    if (!wait && !clock.counts(m_pending.wait_for(Duration::zero()) == std::future_status::ready)) {
       return std::nullopt;
     }
     return m_pending.get();

@@ -12,7 +12,7 @@ namespace homeward
 /** A picture and when it was taken. */
 struct Frame
 {
-  Time stamp{};
+  Time stamp{};  ///< when it was taken
   cv::Mat image; ///< CV_8UC1 or CV_8UC3 (BGR)
 };
 

@@ -22,7 +22,7 @@ struct SonarEcho
 /** What a base says of itself. */
 struct BaseState
 {
-  Time stamp{};
+  Time stamp{};                 ///< when it was so
   Pose2 odometry;               ///< of the robot in the odometry frame; drifts
   Twist2 velocity;              ///< measured
   bool stalled = false;         ///< wheels commanded but held

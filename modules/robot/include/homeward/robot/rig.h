@@ -31,6 +31,7 @@ struct BaseLink
 /** Which laser there is and how it is reached. */
 struct LaserLink
 {
+  /** What it speaks. */
   enum class Kind
   {
     Lms200, ///< SICK LMS-2xx on a serial line
@@ -38,16 +39,17 @@ struct LaserLink
     Hokuyo, ///< a Hokuyo, on Ethernet or a serial line
     OnBase  ///< laser packets of a simulated robot, on the base's own connection
   };
-  Kind kind = Kind::Lms200;
-  std::string address;  ///< path of the serial line, or `tcp:HOST:PORT` of a LMS1xx or Hokuyo
-  int baud = 38400;     ///< at which a LMS-2xx measures
-  int resolution = 100; ///< hundredths of a degree; 50 of a LMS1xx unless set
-  double period = 0.1;  ///< seconds between its scans
+  Kind kind = Kind::Lms200; ///< what it speaks
+  std::string address;      ///< path of the serial line, or `tcp:HOST:PORT` of a LMS1xx or Hokuyo
+  int baud = 38400;         ///< at which a LMS-2xx measures
+  int resolution = 100;     ///< hundredths of a degree; 50 of a LMS1xx unless set
+  double period = 0.1;      ///< seconds between its scans
 };
 
 /** Where pictures come from. */
 struct CaptureLink
 {
+  /** How pictures come. */
   enum class Kind
   {
     Stream,   ///< a URL: MJPEG over HTTP, RTSP
@@ -56,8 +58,8 @@ struct CaptureLink
     Files,    ///< numbered pictures, `pictures/%04d.png`
     Film      ///< a film file
   };
-  Kind kind = Kind::Stream;
-  std::string source;
+  Kind kind = Kind::Stream;       ///< how pictures come
+  std::string source;             ///< address, device or file
   double period = 0.1;            ///< seconds between pictures
   double latency = 0.0;           ///< seconds from the light to the picture's arrival
   std::optional<double> exposure; ///< seconds, of a Video4Linux camera
@@ -68,9 +70,9 @@ struct CaptureLink
 /** The real devices of a robot. */
 struct DeviceLinks
 {
-  BaseLink base;
-  LaserLink laser;
-  CaptureLink capture;
+  BaseLink base;            ///< wheels
+  LaserLink laser;          ///< ranges
+  CaptureLink capture;      ///< mirror pictures
   std::string stopJoystick; ///< device any button of which stops the robot; empty: none
   double clockRate = 1.0;   ///< seconds of its life in one of ours; 1 for everything real
 };
@@ -78,9 +80,9 @@ struct DeviceLinks
 /** What stands on the floor: which robot, which camera, and what is asked of them. */
 struct Rig
 {
-  std::filesystem::path robot;  ///< URDF file, as written: relative to the rig file
-  std::filesystem::path camera; ///< camera file, as written: relative to the rig file
-  Limits limits;
+  std::filesystem::path robot;        ///< URDF file, as written: relative to the rig file
+  std::filesystem::path camera;       ///< camera file, as written: relative to the rig file
+  Limits limits;                      ///< that the robot is never told to exceed
   std::optional<DeviceLinks> devices; ///< nothing: it exists in simulation only
 };
 

@@ -14,19 +14,19 @@ struct BodyPart
 {
   std::string link;  ///< name of the URDF link
   double xMin = 0.0; ///< metres in the robot's frame
-  double xMax = 0.0;
-  double yMin = 0.0;
-  double yMax = 0.0;
+  double xMax = 0.0; ///< front, metres
+  double yMin = 0.0; ///< right side, metres
+  double yMax = 0.0; ///< left side, metres
   double zMin = 0.0; ///< metres above the floor
-  double zMax = 0.0;
+  double zMax = 0.0; ///< upper side, metres
 };
 
 /** A sonar transducer in the robot's frame. */
 struct SonarMount
 {
-  double x = 0.0; ///< metres
-  double y = 0.0;
-  double z = 0.0;
+  double x = 0.0;       ///< metres
+  double y = 0.0;       ///< metres, left
+  double z = 0.0;       ///< metres, up from the floor
   double bearing = 0.0; ///< radians
 };
 
@@ -36,13 +36,13 @@ struct SonarMount
  */
 struct RobotDescription
 {
-  std::string name;
-  std::vector<BodyPart> body;
+  std::string name;                                      ///< as its file has it
+  std::vector<BodyPart> body;                            ///< boxes that it is made of
   Eigen::Isometry3d rMl = Eigen::Isometry3d::Identity(); ///< the laser's frame
   Eigen::Isometry3d rMp = Eigen::Isometry3d::Identity(); ///< the mirror's focus
-  std::vector<SonarMount> sonars;
-  double wheelRadius = 0.0; ///< metres
-  double track = 0.0;       ///< metres between left and right wheels
+  std::vector<SonarMount> sonars;                        ///< in the order of their numbers
+  double wheelRadius = 0.0;                              ///< metres
+  double track = 0.0;                                    ///< metres between left and right wheels
 
   /** The rectangle on the floor around every body part. zMin and zMax span the body. */
   BodyPart footprint() const;

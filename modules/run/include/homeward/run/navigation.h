@@ -15,12 +15,12 @@ namespace homeward
 /** What became of the drive to one goal. */
 struct GoalReport
 {
-  NodeId goal;
-  Outcome outcome = Outcome::Failed;
-  std::string reason;
-  std::vector<NodeId> path; ///< nodes stood at, in order
-  double seconds = 0.0;     ///< of robot time
-  bool refreshed = false;   ///< the goal has a new picture
+  NodeId goal;                       ///< where to
+  Outcome outcome = Outcome::Failed; ///< how it ended
+  std::string reason;                ///< why, in words
+  std::vector<NodeId> path;          ///< nodes stood at, in order
+  double seconds = 0.0;              ///< of robot time
+  bool refreshed = false;            ///< the goal has a new picture
 };
 
 /**

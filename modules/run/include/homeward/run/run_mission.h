@@ -13,8 +13,8 @@ namespace homeward
 /** Counts of a mission under way. */
 struct MissionCounts
 {
-  int homingsTried = 0;
-  int homingsArrived = 0;
+  int homingsTried = 0;   ///< drives to places by sight
+  int homingsArrived = 0; ///< of these
 
   /** Takes a report of the pilot into account. */
   void note(const Report &report);

@@ -37,7 +37,9 @@ public:
   void observe(Time now, const Pose2 &wMr, const Twist2 &twist,
                const std::vector<Contact> &contacts);
 
+  /** See Truth. */
   int collisions() const { return m_collisions; }
+  /** See Truth. */
   int unseenContacts() const { return m_unseenContacts; }
 
 private:
@@ -57,6 +59,7 @@ public:
   /** Without a command for so long it stops, as the Pioneer's controller does. */
   static constexpr Duration kWatchdog = std::chrono::milliseconds(600);
 
+  /** Stands at `start`, in the world frame. @param seed of its slip */
   WheeledBase(std::shared_ptr<const CollisionMap> map, const Limits &limits,
               const DriveErrors &errors, std::uint64_t seed, const Pose2 &start);
 
@@ -75,11 +78,15 @@ public:
   /** Puts the robot elsewhere, standing still; its odometry does not notice. */
   void place(const Pose2 &wMr);
 
+  /** True pose in the world. */
   const Pose2 &pose() const { return m_pose; }
+  /** As its encoders have it. */
   const Pose2 &odometry() const { return m_odometry; }
   const Twist2 &velocity() const { return m_velocity; } ///< of the wheels
+  /** Commanded to move, and held. */
   bool stalled() const { return m_stalled; }
   double distance() const { return m_distance; } ///< truly driven, metres
+  /** What the body has run into so far. */
   const ContactCounter &contacts() const { return m_contacts; }
 
 private:
