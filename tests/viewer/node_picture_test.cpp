@@ -5,6 +5,7 @@
 #include <homeward/viewer/node_picture.h>
 
 #include <gmock/gmock.h>
+#include <opencv2/imgproc.hpp>
 
 namespace homeward
 {
@@ -116,7 +117,7 @@ TEST(NodePicture, OfANodeWithoutAnythingSaysSo)
   const std::string svg =
       nodeSvg(crossing(), {3}, {.title = "Place 3", .panorama = {}, .alike = {}});
   EXPECT_THAT(svg, HasSubstr("no panorama is stored"));
-  EXPECT_THAT(svg, HasSubstr("none"));
+  EXPECT_THAT(svg, HasSubstr(">none<"));
 }
 
 TEST(NodePicture, RefusesWhatItCannotDraw)

@@ -52,7 +52,8 @@ void Legend::draw(Canvas &canvas, const Point &at) const
 double textWidth(const std::string &words, double size)
 {
   constexpr double kWidthOfCharacter = 0.88; // of both canvases' fonts, on average
-  const auto characters = words.size() - std::count_if(words.begin(), words.end(), goesOn);
+  const auto characters =
+      std::count_if(words.begin(), words.end(), [](char byte) { return !goesOn(byte); });
   return kWidthOfCharacter * size * static_cast<double>(characters);
 }
 

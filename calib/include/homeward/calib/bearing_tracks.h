@@ -12,7 +12,7 @@ namespace homeward
 /** What was seen during a drive, and where odometry says that was. */
 struct DriveView
 {
-  Pose2 oMr;
+  Pose2 oMr;         ///< robot in the odometry frame when it was taken
   Panorama panorama; ///< gray
 };
 

@@ -21,9 +21,9 @@ struct BoardView
 /** What one camera saw. */
 struct BoardViews
 {
-  int width = 0;  ///< pixels
-  int height = 0; ///< pixels
-  std::vector<BoardView> views;
+  int width = 0;                ///< pixels
+  int height = 0;               ///< pixels
+  std::vector<BoardView> views; ///< one a picture in which it was found
 };
 
 } // namespace homeward

@@ -26,28 +26,28 @@ using PointMask = std::vector<std::vector<bool>>;
 /** A camera and where it saw the targets from. */
 struct BundleState
 {
-  std::shared_ptr<const CameraModel> model;
-  std::vector<Eigen::Isometry3d> cMo; ///< one a view
+  std::shared_ptr<const CameraModel> model; ///< the camera
+  std::vector<Eigen::Isometry3d> cMo;       ///< one a view
 };
 
 /** How a bundle is adjusted. */
 struct BundleOptions
 {
   std::vector<bool> estimated; ///< one a parameter of the model; the others are held
-  Loss loss = Loss::Squares;
-  double scale = 1.0; ///< pixels
-  int iterations = 100;
-  double still = 1e-12;   ///< it rests when a step promises less than this share of the cost
-  bool holdPoses = false; ///< only the camera is adjusted
+  Loss loss = Loss::Squares;   ///< how much errors count
+  double scale = 1.0;          ///< pixels
+  int iterations = 100;        ///< at most
+  double still = 1e-12;        ///< it rests when a step promises less than this share of the cost
+  bool holdPoses = false;      ///< only the camera is adjusted
 };
 
 /** An adjusted bundle. */
 struct BundleResult
 {
-  BundleState state;
-  double cost = 0.0; ///< pixels^2
-  int iterations = 0;
-  bool converged = false;
+  BundleState state;      ///< where it ended
+  double cost = 0.0;      ///< pixels^2
+  int iterations = 0;     ///< taken
+  bool converged = false; ///< further steps would change nothing
   /** Inverse covariance of the estimated parameters for residuals of one pixel, poses free. */
   Eigen::MatrixXd information;
 };

@@ -38,7 +38,7 @@ struct CalibratedView
 /** What calibrate() found. */
 struct Calibration
 {
-  std::shared_ptr<const CameraModel> model;
+  std::shared_ptr<const CameraModel> model; ///< the camera, as measured
   /**
    * Of the parameters, in their order; zero where held. With cross-validation no smaller than the
    * parameters' scatter when views are left out.
@@ -49,7 +49,7 @@ struct Calibration
   double rms = 0.0;                  ///< pixels, all points
   double robustRms = 0.0;            ///< pixels, outliers left out
   std::optional<double> heldoutRms;  ///< pixels, over all views left out in turn
-  int outliers = 0;
+  int outliers = 0;                  ///< points that count little or nothing
   /**
    * Frame c is left-handed: the targets' points run the other way round in the picture than on the
    * target, as in any unflipped mirror picture. A flat target's pose is the same proper motion

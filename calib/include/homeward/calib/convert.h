@@ -13,10 +13,10 @@ namespace homeward
 /** One model standing for another. */
 struct ModelFit
 {
-  std::shared_ptr<const CameraModel> model;
-  double mean = 0.0;    ///< distance of the two pixels of a ray, pixels
-  double largest = 0.0; ///< pixels
-  double unseen = 0.0;  ///< share of the rays that the new model cannot see
+  std::shared_ptr<const CameraModel> model; ///< the camera in the other model
+  double mean = 0.0;                        ///< distance of the two pixels of a ray, pixels
+  double largest = 0.0;                     ///< pixels
+  double unseen = 0.0;                      ///< share of the rays that the new model cannot see
 };
 
 /** Which parameters of a model a calibration estimates; without distortion, the fewest. */

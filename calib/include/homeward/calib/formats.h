@@ -35,8 +35,8 @@ CameraFormat guessCameraFormat(const std::string &text, const std::string &origi
 /** Pixels. */
 struct PictureSize
 {
-  int width = 0;
-  int height = 0;
+  int width = 0;  ///< pixels
+  int height = 0; ///< pixels
 };
 
 /**

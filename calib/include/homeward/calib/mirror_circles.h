@@ -14,8 +14,8 @@ namespace homeward
 /** A circle in a picture, pixels. */
 struct Circle
 {
-  Eigen::Vector2d centre{0.0, 0.0};
-  double radius = 0.0;
+  Eigen::Vector2d centre{0.0, 0.0}; ///< pixels
+  double radius = 0.0;              ///< pixels
 };
 
 /** The ring of a picture that shows the scene: the mirror without what hides its middle. */

@@ -20,17 +20,17 @@ struct LandmarkBearing
 /** What odometry and camera say at one time of a drive. */
 struct MountSample
 {
-  Pose2 oMr;
-  std::vector<LandmarkBearing> bearings;
+  Pose2 oMr;                             ///< robot in the odometry frame, metres and radians
+  std::vector<LandmarkBearing> bearings; ///< of what was seen from there
 };
 
 /** Where the camera sits on the robot, in the plane. */
 struct MountEstimate
 {
-  Pose2 rMp;
+  Pose2 rMp;                  ///< mirror's focus in the robot's frame, metres and radians
   Eigen::Matrix3d covariance; ///< of x, y (metres) and heading (radians) of rMp
   double rms = 0.0;           ///< of the bearings, radians
-  int landmarks = 0;
+  int landmarks = 0;          ///< that bearings were taken of
 };
 
 /**

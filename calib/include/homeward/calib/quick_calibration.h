@@ -23,10 +23,10 @@ struct MirrorSheet
 /** A camera without a target. */
 struct QuickCalibration
 {
-  UnifiedCamera camera;
-  MirrorCircles mirror;
-  int lines = 0;                     ///< straight edges of the scene that the camera explains
-  double bendPx = 0.0;               ///< how far these bend from great circles, rms, pixels
+  UnifiedCamera camera; ///< with the parameters that a room shows; the others as assumed
+  MirrorCircles mirror; ///< where its circles were found
+  int lines = 0;        ///< straight edges of the scene that the camera explains
+  double bendPx = 0.0;  ///< how far these bend from great circles, rms, pixels
   std::vector<std::string> assumed;  ///< one sentence for each parameter that was not measured
   std::vector<std::string> warnings; ///< one sentence each, what to do
 };

@@ -33,11 +33,11 @@ Eigen::Vector2d radialCentre(const BoardViews &views);
 /** Where a calibration may start: the unified model without distortion, and poses. */
 struct RadialStart
 {
-  double xi = 1.0;
-  double f = 1.0; ///< pixels
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  std::vector<Eigen::Isometry3d> cMo; ///< one a view
-  double error = 0.0;                 ///< of the angles from the axis, radians, rms
+  double xi = 1.0;                                  ///< of the unified model
+  double f = 1.0;                                   ///< pixels
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< of the picture's distortion, pixels
+  std::vector<Eigen::Isometry3d> cMo;               ///< one a view
+  double error = 0.0;                               ///< of the angles from the axis, radians, rms
 };
 
 /** Poses for a camera; nothing when a view has no radialPose() or cannot be seen. */

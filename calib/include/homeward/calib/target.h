@@ -25,12 +25,13 @@ enum class TargetKind
  */
 struct Target
 {
-  TargetKind kind = TargetKind::Chessboard;
+  TargetKind kind = TargetKind::Chessboard; ///< what it shows
   int columns = 9;     ///< inner corners, discs, tags, or squares of a ChArUco board
   int rows = 6;        ///< likewise
   double pitch = 0.03; ///< from one corner, disc, tag or square to the next, metres
   double marker = 0.0; ///< side of a tag or marker, metres; 0: 0.75 of the pitch
 
+  /** Side of a marker, metres; three quarters of the pitch where none is given. */
   double markerSide() const { return marker > 0.0 ? marker : 0.75 * pitch; }
 };
 
@@ -55,28 +56,28 @@ std::vector<Eigen::Vector2d> markerCorners(const Target &target);
 /** An axis-parallel rectangle, metres from the art's top left corner. */
 struct ArtRectangle
 {
-  double x = 0.0;
-  double y = 0.0;
-  double width = 0.0;
-  double height = 0.0;
+  double x = 0.0;      ///< left side, metres
+  double y = 0.0;      ///< upper side, metres
+  double width = 0.0;  ///< metres
+  double height = 0.0; ///< metres
 };
 
 /** A disc, metres from the art's top left corner. */
 struct ArtDisc
 {
-  double x = 0.0;
-  double y = 0.0;
-  double radius = 0.0;
+  double x = 0.0;      ///< of the middle, metres
+  double y = 0.0;      ///< of the middle, metres
+  double radius = 0.0; ///< metres
 };
 
 /** What is black on the white paper, a quiet margin included. */
 struct TargetArt
 {
-  double width = 0.0;     ///< metres
-  double height = 0.0;    ///< metres
-  Eigen::Vector2d origin; ///< the target's first point
-  std::vector<ArtRectangle> rectangles;
-  std::vector<ArtDisc> discs;
+  double width = 0.0;                   ///< metres
+  double height = 0.0;                  ///< metres
+  Eigen::Vector2d origin;               ///< the target's first point
+  std::vector<ArtRectangle> rectangles; ///< black
+  std::vector<ArtDisc> discs;           ///< black
 };
 
 /** @throw ConfigError as checkTarget() */

@@ -31,16 +31,16 @@ struct MirrorRing
 /** The mirror's rim in the picture when the camera was measured: a circle, pixels. */
 struct MirrorRim
 {
-  Eigen::Vector2d centre;
-  double radius = 0.0;
+  Eigen::Vector2d centre; ///< pixels
+  double radius = 0.0;    ///< pixels
 };
 
 /** A camera file: model, ring, mount, and where the rim was. */
 struct MirrorCamera
 {
-  UnifiedCamera model;
-  MirrorRing ring;
-  CameraMount mount;
+  UnifiedCamera model;                         ///< from rays to pixels
+  MirrorRing ring;                             ///< where the picture shows the mirror
+  CameraMount mount;                           ///< how it sits on the robot
   std::optional<MirrorRim> rim = std::nullopt; ///< lets followRim() see a camera that has shifted
 };
 

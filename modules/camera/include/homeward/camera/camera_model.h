@@ -18,7 +18,9 @@ namespace homeward
 class CameraModel
 {
 public:
+  /** Of a pixel by the point that it shows. */
   using PointJacobian = Eigen::Matrix<double, 2, 3>;
+  /** Of a pixel by the model's parameters. */
   using ParameterJacobian = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 16>;
 
   virtual ~CameraModel() = default;
@@ -29,6 +31,7 @@ public:
   /** Names of the parameters, in the order of parameters() and of the Jacobian's columns. */
   virtual std::vector<std::string> parameterNames() const = 0;
 
+  /** All of them, in the order of the model's names. */
   virtual Eigen::VectorXd parameters() const = 0;
 
   /** The same model with other parameters. @throw LogicError where they are none of this model */

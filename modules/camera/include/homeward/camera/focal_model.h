@@ -26,14 +26,15 @@ protected:
   /** A point in the normalised picture. */
   struct Normalized
   {
-    Eigen::Vector2d m;
-    PointJacobian J_point;                                     ///< d m / d cX
+    Eigen::Vector2d m;     ///< the point in the plane at distance 1, before focal length and centre
+    PointJacobian J_point; ///< d m / d cX
     Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 4> J_shape; ///< d m / d shape
   };
 
   /** @throw LogicError unless these are shapes + 4 finite numbers with fx, fy, width, height > 0 */
   FocalModel(const Eigen::VectorXd &parameters, int shapes, int width, int height);
 
+  /** What the parameters after focal length and centre are called. */
   virtual std::vector<std::string> shapeNames() const = 0;
 
   /** m of a point of any length but zero; nothing outside the domain. */
@@ -42,6 +43,7 @@ protected:
   /** Direction of m, of any length; nothing where no ray of the domain lands there. */
   virtual std::optional<Eigen::Vector3d> direction(const Eigen::Vector2d &m) const = 0;
 
+  /** The i-th parameter after focal length and centre. */
   double shape(int i) const { return m_parameters[i]; }
 
   /** m = (x, y) / n from n and its gradients. */

@@ -51,8 +51,8 @@ struct PanoramaGeometry
 /** A picture of everything around one place. */
 struct Panorama
 {
-  cv::Mat image; ///< CV_8UC1 or CV_8UC3 (BGR), geometry.height x geometry.width
-  PanoramaGeometry geometry;
+  cv::Mat image;             ///< CV_8UC1 or CV_8UC3 (BGR), geometry.height x geometry.width
+  PanoramaGeometry geometry; ///< which pixel shows which direction
 };
 
 } // namespace homeward

@@ -30,21 +30,23 @@ public:
   /** Everything that can be calibrated, in the order of the intrinsic Jacobian's columns. */
   struct Parameters
   {
-    double xi = 1.0; ///< distance of the projection centre from the sphere's
-    double fx = 1.0; ///< pixels
-    double fy = 1.0; ///< pixels
-    double cx = 0.0; ///< pixels, centre of the top-left pixel is (0, 0)
-    double cy = 0.0; ///< pixels
-    double k1 = 0.0;
-    double k2 = 0.0;
-    double p1 = 0.0;
-    double p2 = 0.0;
+    double xi = 1.0;   ///< distance of the projection centre from the sphere's
+    double fx = 1.0;   ///< pixels
+    double fy = 1.0;   ///< pixels
+    double cx = 0.0;   ///< pixels, centre of the top-left pixel is (0, 0)
+    double cy = 0.0;   ///< pixels
+    double k1 = 0.0;   ///< radial distortion, second order
+    double k2 = 0.0;   ///< radial distortion, fourth order
+    double p1 = 0.0;   ///< tangential distortion
+    double p2 = 0.0;   ///< tangential distortion
     double skew = 0.0; ///< pixels
   };
 
-  static constexpr int kParameterCount = 10;
+  static constexpr int kParameterCount = 10; ///< Number of values in Parameters.
 
+  /** Of a pixel by the point that it shows. */
   using PointJacobian = Eigen::Matrix<double, 2, 3>;
+  /** Of a pixel by the parameters. */
   using ParameterJacobian = Eigen::Matrix<double, 2, kParameterCount>;
 
   /**
@@ -67,8 +69,11 @@ public:
   /** Unit ray of a pixel in frame c; nothing where no ray of the valid domain lands there. */
   std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d &pixel) const;
 
+  /** As it was made. */
   const Parameters &parameters() const { return m_parameters; }
+  /** Of the picture, pixels. */
   int width() const { return m_width; }
+  /** Of the picture, pixels. */
   int height() const { return m_height; }
 
 private:

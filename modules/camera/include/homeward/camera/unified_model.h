@@ -14,11 +14,13 @@ namespace homeward
 class UnifiedModel : public CameraModel
 {
 public:
+  /** The model of that camera. */
   explicit UnifiedModel(const UnifiedCamera &camera) : m_camera(camera) {}
 
   /** @throw LogicError unless these are ten parameters that UnifiedCamera takes */
   UnifiedModel(const Eigen::VectorXd &parameters, int width, int height);
 
+  /** The camera itself. */
   const UnifiedCamera &camera() const { return m_camera; }
 
   std::string name() const override { return "unified"; }

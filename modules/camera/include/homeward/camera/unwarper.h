@@ -25,6 +25,7 @@ public:
   /** CV_8UC1, 255 where the panorama shows the scene. */
   const cv::Mat &visible() const { return m_visible; }
 
+  /** Of the panoramas that it makes. */
   const PanoramaGeometry &geometry() const { return m_geometry; }
 
 private:

@@ -12,9 +12,9 @@ namespace homeward
  */
 struct Pose2
 {
-  double x = 0.0;
-  double y = 0.0;
-  double heading = 0.0;
+  double x = 0.0;       ///< metres
+  double y = 0.0;       ///< metres
+  double heading = 0.0; ///< radians
 
   /** Origin of b in a, metres. */
   Eigen::Vector2d translation() const { return {x, y}; }
@@ -47,8 +47,8 @@ struct Pose2
 /** Velocity of a robot that cannot slide sideways: forward m/s and counter-clockwise rad/s. */
 struct Twist2
 {
-  double v = 0.0;
-  double w = 0.0;
+  double v = 0.0; ///< forward, m/s
+  double w = 0.0; ///< counter-clockwise, rad/s
 };
 
 /** Motion of the robot, in its own starting frame, after `seconds` at constant `twist`. */

@@ -17,7 +17,7 @@ namespace homeward
  */
 struct Scan
 {
-  Time stamp{};
+  Time stamp{};              ///< when it was taken
   double angleMin = 0.0;     ///< radians, counter-clockwise from forward
   double angleStep = 0.0;    ///< radians, positive
   double rangeMax = 0.0;     ///< metres, what the sensor can see

@@ -9,8 +9,8 @@ namespace homeward
 /** Eigenvalues in ascending order; column i is the unit eigenvector of values[i]. */
 struct SymmetricEigen
 {
-  Eigen::VectorXd values;
-  Eigen::MatrixXd vectors;
+  Eigen::VectorXd values;  ///< rising
+  Eigen::MatrixXd vectors; ///< a column each, of length 1
 };
 
 /** Of a symmetric matrix. Not a template, for Eigen's solver takes seconds to compile. */

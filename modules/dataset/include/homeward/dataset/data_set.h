@@ -71,8 +71,11 @@ public:
    */
   void write(const std::filesystem::path &folder) const;
 
+  /** Number of pictures. */
   std::size_t size() const { return m_views.size(); }
+  /** @throw std::out_of_range */
   const DataSetView &view(std::size_t index) const { return m_views.at(index); }
+  /** All, in the order of the file. */
   const std::vector<DataSetView> &views() const { return m_views; }
 
   /** The lights, in the order of their first view. */

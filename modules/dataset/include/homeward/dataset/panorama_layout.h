@@ -11,21 +11,23 @@ namespace homeward
 /** How the panoramas of a data set lie in their pictures, whoever made them. */
 struct PanoramaLayout
 {
+  /** How rows lie to elevations. */
   enum class Projection
   {
     Equirectangular, ///< rows evenly spaced in elevation
     Cylindrical      ///< rows evenly spaced in the tangent of elevation
   };
+  /** Which way columns grow. */
   enum class Columns
   {
     Clockwise,       ///< as a person standing there sees it
     CounterClockwise ///< as seen from outside
   };
-  Projection projection = Projection::Equirectangular;
-  Columns columns = Columns::Clockwise;
-  double elevationMin = radians(-45.0); ///< lower edge of the last row, radians
-  double elevationMax = radians(35.0);  ///< upper edge of row 0, radians
-  double forwardColumn = 359.5;         ///< (fractional) column whose centre shows straight ahead
+  Projection projection = Projection::Equirectangular; ///< how rows lie to elevations
+  Columns columns = Columns::Clockwise;                ///< which way columns grow
+  double elevationMin = radians(-45.0);                ///< lower edge of the last row, radians
+  double elevationMax = radians(35.0);                 ///< upper edge of row 0, radians
+  double forwardColumn = 359.5; ///< (fractional) column whose centre shows straight ahead
 };
 
 /** The layout that Homeward's own panoramas have. */

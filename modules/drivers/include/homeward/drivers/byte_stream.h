@@ -55,8 +55,8 @@ std::unique_ptr<ByteStream> openSerial(const std::string &path, int baud);
 /** A TCP port of a host. */
 struct TcpAddress
 {
-  std::string host;
-  int port = 0;
+  std::string host; ///< name or address
+  int port = 0;     ///< 1 to 65535
 };
 
 /**

@@ -15,8 +15,8 @@ namespace homeward
 /** How a stream over the network is read. Durations are the machine's. */
 struct StreamOptions
 {
-  std::chrono::milliseconds openTimeout{3000};
-  std::chrono::milliseconds readTimeout{1000};
+  std::chrono::milliseconds openTimeout{3000}; ///< after which opening fails
+  std::chrono::milliseconds readTimeout{1000}; ///< after which the stream counts as lost
 };
 
 /**
@@ -38,8 +38,8 @@ std::unique_ptr<ImageSource> openV4l2Camera(int device, const V4l2Settings &sett
 /** How a FireWire camera exposes, in its own counts. What is left out stays as it is. */
 struct FirewireSettings
 {
-  std::optional<int> shutter;
-  std::optional<int> gain;
+  std::optional<int> shutter; ///< in the camera's own units; none: by itself
+  std::optional<int> gain;    ///< in the camera's own units; none: by itself
 };
 
 /**

@@ -50,6 +50,7 @@ public:
 
   std::optional<Time> newest() const override;
 
+  /** What became of its pictures so far. */
   CaptureCounters counters() const;
 
 private:

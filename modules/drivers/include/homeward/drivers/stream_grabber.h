@@ -22,6 +22,7 @@ using VISP_NAMESPACE_NAME::vpRGBa;
 class StreamGrabber final : public vpFrameGrabber
 {
 public:
+  /** Opens nothing yet. @param url of the stream; timeouts of opening and of one picture */
   StreamGrabber(std::string url, std::chrono::milliseconds openTimeout,
                 std::chrono::milliseconds readTimeout);
 

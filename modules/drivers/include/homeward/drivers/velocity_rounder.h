@@ -25,6 +25,7 @@ struct WholeVelocity
 class VelocityRounder
 {
 public:
+  /** @param limits that what is carried never goes beyond */
   explicit VelocityRounder(const Limits &limits);
 
   /** The next command. @param wanted m/s, rad/s @throw LogicError when not finite */

@@ -13,7 +13,7 @@ namespace homeward
 /** Which drives home are tried. */
 struct ArrivalOptions
 {
-  std::size_t runs = 200;
+  std::size_t runs = 200;                  ///< how many
   double nearest = 0.3;                    ///< metres from home, at least
   double farthest = 2.5;                   ///< metres from home, at most
   std::uint64_t seed = 1;                  ///< of homes, starts and headings
@@ -26,13 +26,13 @@ struct ArrivalOptions
 /** One drive home. */
 struct ArrivalRun
 {
-  Pose2 home;  ///< the robot when home was seen, world frame
-  Pose2 start; ///< likewise
-  Pose2 end;   ///< likewise
-  HomingEnd outcome = HomingEnd::Lost;
-  double seconds = 0.0; ///< simulated
-  int collisions = 0;
-  std::vector<Eigen::Vector2d> way; ///< world, metres
+  Pose2 home;                          ///< the robot when home was seen, world frame
+  Pose2 start;                         ///< likewise
+  Pose2 end;                           ///< likewise
+  HomingEnd outcome = HomingEnd::Lost; ///< as the homing said
+  double seconds = 0.0;                ///< simulated
+  int collisions = 0;                  ///< see Truth
+  std::vector<Eigen::Vector2d> way;    ///< world, metres
 
   double error() const;        ///< metres from home at the end
   double headingError() const; ///< radians, >= 0
@@ -42,13 +42,13 @@ struct ArrivalRun
 /** All drives together. */
 struct ArrivalScore
 {
-  std::size_t runs = 0;
-  std::size_t arrived = 0;
+  std::size_t runs = 0;           ///< tried
+  std::size_t arrived = 0;        ///< by what the homing said
   std::size_t wronglyArrived = 0; ///< said so, and is elsewhere
   double medianError = 0.0;       ///< metres, of those that arrived
   double medianHeadingDeg = 0.0;  ///< degrees, of those that arrived
   double medianSeconds = 0.0;     ///< simulated, of those that arrived
-  int collisions = 0;
+  int collisions = 0;             ///< of all runs
 };
 
 /**
@@ -62,6 +62,7 @@ std::vector<ArrivalRun> driveHome(const std::shared_ptr<const Scene> &scene,
                                   const PilotOptions &pilot, const ArrivalOptions &options,
                                   const Progress &progress = {});
 
+/** Counts and middles of runs. */
 ArrivalScore scoreArrivals(const std::vector<ArrivalRun> &runs);
 
 } // namespace homeward

@@ -9,9 +9,9 @@ namespace homeward
 /** A drive from one end of an edge to the other, with a barrier across it that no map knows. */
 struct BarredDrive
 {
-  EdgeId edge;
-  double barrierWidth = 0.0; ///< metres
-  GoalDrive drive = {};
+  EdgeId edge;                       ///< that was barred
+  double barrierWidth = 0.0;         ///< metres
+  GoalDrive drive = {};              ///< at it
   bool noWayLeft = false;            ///< foundNoWay()
   std::vector<double> meetings = {}; ///< BarrierMeetings::seconds()
 

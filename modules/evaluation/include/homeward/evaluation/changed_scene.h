@@ -22,8 +22,8 @@ struct SceneChange
 /** What a change found to change. */
 struct ChangedScene
 {
-  Scene scene;
-  std::size_t people = 0;
+  Scene scene;                            ///< as it is then
+  std::size_t people = 0;                 ///< that stand in it
   std::vector<Eigen::AlignedBox3f> moved; ///< round each model that moved, where it is now
 };
 

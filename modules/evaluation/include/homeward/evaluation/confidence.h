@@ -11,15 +11,15 @@ namespace homeward
 /** Where a value lies with 95 % confidence. */
 struct Interval
 {
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;  ///< lower end
+  double high = 0.0; ///< upper end
 };
 
 /** So many of so many. */
 struct Share
 {
-  std::size_t successes = 0;
-  std::size_t trials = 0;
+  std::size_t successes = 0; ///< trials at most
+  std::size_t trials = 0;    ///< of all
 
   double value() const; ///< 0 to 1; 0 of nothing
 

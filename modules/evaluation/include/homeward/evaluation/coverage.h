@@ -36,7 +36,7 @@ private:
 /** Covered floor at a time. */
 struct CoverageSample
 {
-  double seconds = 0.0;
+  double seconds = 0.0;  ///< of simulated time
   double coverage = 0.0; ///< share, 0 to 1
 };
 

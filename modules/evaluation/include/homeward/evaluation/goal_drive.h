@@ -20,7 +20,7 @@ namespace homeward
 /** The node that a robot believed to stand at first, after it had been switched on. */
 struct FirstPlace
 {
-  NodeId node;
+  NodeId node;          ///< that it believed to stand at
   double error = 0.0;   ///< metres from where that node was made, when it believed so
   double seconds = 0.0; ///< simulated, since it was switched on
 
@@ -31,18 +31,18 @@ struct FirstPlace
 /** One drive to a node of a finished map, by a robot that does not know where it stands. */
 struct GoalDrive
 {
-  std::optional<NodeId> from; ///< the node it was put at; nothing when put anywhere
-  NodeId goal;
-  Pose2 start; ///< world frame
-  Outcome outcome = Outcome::Failed;
-  std::string reason;
-  double error = 0.0;        ///< metres from where the goal was made, at the end
-  double headingError = 0.0; ///< radians, >= 0, likewise
-  double distance = 0.0;     ///< driven, metres
-  double seconds = 0.0;      ///< simulated
-  int collisions = 0;
-  int unseenContacts = 0;
-  std::optional<FirstPlace> first; ///< nothing when it never knew
+  std::optional<NodeId> from;        ///< the node it was put at; nothing when put anywhere
+  NodeId goal;                       ///< where it was sent
+  Pose2 start;                       ///< world frame
+  Outcome outcome = Outcome::Failed; ///< how the navigation ended
+  std::string reason;                ///< why, in words
+  double error = 0.0;                ///< metres from where the goal was made, at the end
+  double headingError = 0.0;         ///< radians, >= 0, likewise
+  double distance = 0.0;             ///< driven, metres
+  double seconds = 0.0;              ///< simulated
+  int collisions = 0;                ///< see Truth
+  int unseenContacts = 0;            ///< see Truth
+  std::optional<FirstPlace> first;   ///< nothing when it never knew
 
   /** Whether it said so and was within 0.3 m of where the goal was made. */
   bool arrived() const;
@@ -51,11 +51,11 @@ struct GoalDrive
 /** Who drives, and with what settings. */
 struct GoalDriver
 {
-  Simulator &simulator;
-  const RobotDescription &robot;
-  const MirrorCamera &camera; ///< nominal, what the robot believes of it
-  const PilotOptions &pilot;
-  const NavigatorOptions &navigator;
+  Simulator &simulator;              ///< the robot and its world
+  const RobotDescription &robot;     ///< its shape
+  const MirrorCamera &camera;        ///< nominal, what the robot believes of it
+  const PilotOptions &pilot;         ///< of the pilot that drives
+  const NavigatorOptions &navigator; ///< of the decisions
   RestlessWorld *restless = nullptr; ///< what goes on in the simulated world; null: it is quiet
   double maxTime = 3600.0;           ///< simulated s after which a drive is given up
 };

@@ -14,7 +14,7 @@ namespace homeward
 /** What a method answered to every pair of a task. */
 struct HomingAnswers
 {
-  std::string method;
+  std::string method;                             ///< its name
   bool givesDirection = true;                     ///< a visual compass does not
   std::vector<std::optional<HomeVector>> answers; ///< in the order of the pairs
   /**
@@ -39,8 +39,8 @@ HomingAnswers runHoming(const std::string &method, const HomingTask &task, int t
 /** How good the answers are. No answer counts as an error of 90 degrees, what guessing gets. */
 struct HomingScore
 {
-  std::size_t pairs = 0;
-  std::size_t unanswered = 0;
+  std::size_t pairs = 0;         ///< asked
+  std::size_t unanswered = 0;    ///< without a home vector
   double meanDeg = 0.0;          ///< of the direction error
   double medianDeg = 0.0;        ///< likewise
   double shareOver90 = 0.0;      ///< of direction errors of 90 degrees or more: away from home
@@ -55,6 +55,7 @@ struct HomingScore
 /** Direction errors of the pairs, radians, in [0, pi]. */
 std::vector<double> directionErrors(const HomingTask &task, const HomingAnswers &answers);
 
+/** Compares answers with the truth. */
 HomingScore scoreHoming(const HomingTask &task, const HomingAnswers &answers);
 
 /**

@@ -13,8 +13,8 @@ namespace homeward
 /** A place to find home from, and the home; indices of the task's views and homes. */
 struct HomingPair
 {
-  std::size_t view = 0;
-  std::size_t home = 0;
+  std::size_t view = 0; ///< index of HomingTask::viewPoses
+  std::size_t home = 0; ///< index of HomingTask::homePoses
 };
 
 /** Whether two points of the floor, metres, are in sight of each other. */
@@ -41,12 +41,12 @@ std::vector<HomingPair> chooseHomingPairs(const std::vector<Pose2> &views,
 /** Homing to find: views, homes and their pairs. The robot's mirror stands over its middle. */
 struct HomingTask
 {
-  std::vector<Pose2> viewPoses;
-  std::vector<Pose2> homePoses;
+  std::vector<Pose2> viewPoses; ///< where views were taken, world frame
+  std::vector<Pose2> homePoses; ///< where homes are, world frame
   std::function<Panorama(std::size_t)>
       viewPanorama; ///< of a place, safe to call from several threads
-  std::function<Panorama(std::size_t)> homePanorama;
-  std::vector<HomingPair> pairs; ///< pairs of one home stand together
+  std::function<Panorama(std::size_t)> homePanorama; ///< of a home, by index
+  std::vector<HomingPair> pairs;                     ///< pairs of one home stand together
 
   /** Bearing of the pair's home in the view's robot frame, radians. */
   double trueDirection(const HomingPair &pair) const;

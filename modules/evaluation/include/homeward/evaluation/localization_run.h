@@ -16,7 +16,7 @@ namespace homeward
 /** Places known by sight, and the steps between them. */
 struct KnownPlaces
 {
-  std::vector<NodeId> nodes;
+  std::vector<NodeId> nodes;         ///< in the order of the belief
   std::vector<Signature> signatures; ///< one a node
   Eigen::MatrixXd steps;             ///< as BayesLocalizer::move() takes them
 };
@@ -24,8 +24,8 @@ struct KnownPlaces
 /** Where the robot most probably was when it saw something. */
 struct Localization
 {
-  NodeId node;
-  double probability = 0.0;
+  NodeId node;                ///< the likeliest
+  double probability = 0.0;   ///< of that node, 0 to 1
   double kidnapped = 0.0;     ///< probability that it was carried away since the view before
   std::vector<double> belief; ///< by known place
 };

@@ -21,20 +21,20 @@ namespace homeward
 /** What is tried, alike in every trial. */
 struct MissionTrialOptions
 {
-  RobotDescription robot;
-  std::string robotFile;        ///< its URDF file, for the truth log
-  MirrorCamera camera;          ///< nominal
-  PilotOptions exploring = {};  ///< settings of the pilot that explores
-  PilotOptions navigating = {}; ///< and of the one that drives to goals
-  MapHeader header = {};        ///< of the map
-  ExplorerOptions explorer = {};
-  NavigatorOptions navigator = {};
+  RobotDescription robot;                  ///< its shape
+  std::string robotFile;                   ///< its URDF file, for the truth log
+  MirrorCamera camera;                     ///< nominal
+  PilotOptions exploring = {};             ///< settings of the pilot that explores
+  PilotOptions navigating = {};            ///< and of the one that drives to goals
+  MapHeader header = {};                   ///< of the map
+  ExplorerOptions explorer = {};           ///< of its decisions
+  NavigatorOptions navigator = {};         ///< of the drives that follow
   double maxTime = 1e5;                    ///< simulated s after which the exploration stops
   LightPreset light = LightPreset::Day;    ///< while it explores
   LightPreset lightNow = LightPreset::Day; ///< while it drives to goals
-  std::size_t goals = 20;
-  std::size_t kidnappings = 0;
-  std::size_t barriers = 0; ///< edges that are barred, one at a time, and driven at
+  std::size_t goals = 20;                  ///< random nodes to drive to
+  std::size_t kidnappings = 0;             ///< drives after being carried off
+  std::size_t barriers = 0;                ///< edges that are barred, one at a time, and driven at
   std::optional<Restlessness> restlessness = {}; ///< of the worlds all the while; nothing: quiet
   int threads = 1;                               ///< that render; the result does not depend on it
 };
@@ -56,30 +56,30 @@ struct MissionTask
 /** A whole exploration of one world and drives through the map, against the truth. */
 struct MissionTrial
 {
-  std::string world;
-  std::uint64_t seed = 0;
+  std::string world;      ///< name of its file
+  std::uint64_t seed = 0; ///< decides everything in it
 
-  Outcome outcome = Outcome::Failed;
-  std::string reason;
-  std::size_t nodes = 0;
-  std::size_t edges = 0;
-  int openDirections = 0; ///< left
-  MissionCounts homings;
-  int collisions = 0;
-  int unseenContacts = 0;
-  double distance = 0.0;    ///< driven exploring, metres
-  double seconds = 0.0;     ///< simulated, exploring
-  double wallSeconds = 0.0; ///< that the exploration took
-  MissionTruth truth;
+  Outcome outcome = Outcome::Failed;    ///< of the exploration
+  std::string reason;                   ///< of that outcome, in words
+  std::size_t nodes = 0;                ///< of the map
+  std::size_t edges = 0;                ///< of the map
+  int openDirections = 0;               ///< left
+  MissionCounts homings;                ///< while exploring
+  int collisions = 0;                   ///< while exploring
+  int unseenContacts = 0;               ///< while exploring
+  double distance = 0.0;                ///< driven exploring, metres
+  double seconds = 0.0;                 ///< simulated, exploring
+  double wallSeconds = 0.0;             ///< that the exploration took
+  MissionTruth truth;                   ///< about the map
   std::vector<CoverageSample> coverage; ///< when each node was made
 
-  OracleTour oracle;
+  OracleTour oracle;          ///< to compare with
   double oracleSeconds = 0.0; ///< its length at the robot's highest speed
 
-  std::vector<GoalDrive> goals;
-  std::vector<GoalDrive> kidnappings;
-  std::vector<BarredDrive> barred;
-  double allWallSeconds = 0.0; ///< that everything took
+  std::vector<GoalDrive> goals;       ///< drives to random nodes
+  std::vector<GoalDrive> kidnappings; ///< drives after being carried off
+  std::vector<BarredDrive> barred;    ///< drives at barriers
+  double allWallSeconds = 0.0;        ///< that everything took
 };
 
 /**

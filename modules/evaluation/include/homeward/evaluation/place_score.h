@@ -23,7 +23,7 @@ struct PlaceScore
   std::size_t queries = 0; ///< whose place is known
   double recallAt1 = 0.0;  ///< share with a right one first
   double recallAt5 = 0.0;  ///< share with a right one among the first five
-  double recallAt20 = 0.0;
+  double recallAt20 = 0.0; ///< share of queries whose place is among the best 20
   /** Share found by the largest threshold on unlikeness that accepts no wrong first candidate. */
   double recallAtFullPrecision = 0.0;
   /** Area under precision over recall, as the threshold on the first candidate grows. */

@@ -25,9 +25,9 @@ struct PlaceTrialOptions
 /** Views known by sight, and views whose place is looked for among them. */
 struct PlaceViews
 {
-  std::vector<Pose2> poses; ///< wMr
-  std::vector<Panorama> panoramas;
-  cv::Mat visible; ///< of all panoramas, see makeSignature()
+  std::vector<Pose2> poses;        ///< wMr
+  std::vector<Panorama> panoramas; ///< one a pose
+  cv::Mat visible;                 ///< of all panoramas, see makeSignature()
 };
 
 /** The views of a light, in colour where the pictures are. @throw ConfigError as panorama() */
@@ -36,14 +36,14 @@ PlaceViews placeViews(const DataSet &set, const std::string &light);
 /** Candidates given kSureProbability or more, and how many of them are right. */
 struct SureMatches
 {
-  std::size_t matches = 0;
-  std::size_t right = 0;
+  std::size_t matches = 0; ///< of that probability
+  std::size_t right = 0;   ///< of these, of the right place
 };
 
 /** What one way of recognising places achieved. */
 struct PlaceFigures
 {
-  PlaceScore score;
+  PlaceScore score;                     ///< of one signature
   std::size_t bytes = 0;                ///< of a signature
   double microsecondsPerQuery = 0.0;    ///< of one thread, without making the signature
   std::optional<SureMatches> sure;      ///< among first candidates, where ranked again
@@ -57,6 +57,7 @@ struct PlaceFigures
 class PlaceTrial
 {
 public:
+  /** @param known, queries places to know and views to recognise */
   PlaceTrial(const PlaceViews &known, const PlaceViews &queries, const PlaceTrialOptions &options);
 
   /** Ranked by signature alone. */

@@ -18,13 +18,13 @@ namespace homeward
 /** Where boards are held before a mirror. */
 struct HeldBoards
 {
-  int count = 16;
+  int count = 16;              ///< of pictures
   double nearest = 0.32;       ///< metres from the mirror to a board's middle
   double farthest = 0.6;       ///< metres
   double highest = 0.07;       ///< elevation of a board's middle, radians
   double tilt = radians(35.0); ///< about the board's x and y, at most, radians
   double turn = radians(40.0); ///< in the board's plane, at most, radians
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;      ///< of the poses
 };
 
 /**
@@ -37,12 +37,12 @@ std::vector<Eigen::Isometry3d> heldBoardPoses(const Target &target, const HeldBo
 /** A mirror camera in a simulated room. */
 struct BoardStudio
 {
-  std::shared_ptr<const Scene> room;
+  std::shared_ptr<const Scene> room;                     ///< around the board
   Eigen::Isometry3d wMp = Eigen::Isometry3d::Identity(); ///< where the mirror stands in the room
   MirrorCamera camera;                                   ///< exactly; its lens bends nothing
-  LightPreset light = LightPreset::Day;
-  RenderOptions rendering = {};
-  std::uint64_t seed = 1; ///< of the noise
+  LightPreset light = LightPreset::Day;                  ///< that the room is in
+  RenderOptions rendering = {};                          ///< of the mirror's picture
+  std::uint64_t seed = 1;                                ///< of the noise
 };
 
 /**

@@ -14,7 +14,7 @@ struct RenderedHomingOptions
   LightPreset nowLight = LightPreset::Day; ///< when the way home is looked for
   double spacing = 0.5;                    ///< of the grid of views, metres
   std::uint64_t seed = 1;                  ///< of grid, homes and headings
-  HomingPairOptions pairs = {};
+  HomingPairOptions pairs = {};            ///< which views are asked about which homes
 };
 
 /**

@@ -31,14 +31,14 @@ std::vector<Pose2> randomPoses(const FreeSpace &space, std::size_t count, std::u
 /** What takes the pictures of a data set in a simulated world. */
 struct ViewSource
 {
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Scene> scene;                    ///< the world
   Eigen::Isometry3d rMp = Eigen::Isometry3d::Identity(); ///< the mirror's focus on the robot
   MirrorCamera camera;                                   ///< nominal, as the data set has it
   std::uint64_t seed = 1;                                ///< of optics and noise
   std::uint32_t noiseStream = 0; ///< pictures of other streams have other noise
   bool exactOptics = false;      ///< the mirror is as its file says
   bool colour = false;           ///< pictures are BGR instead of gray
-  RenderOptions rendering = {};
+  RenderOptions rendering = {};  ///< of the mirror's picture
 };
 
 /** Told how many of how many pictures are taken. */

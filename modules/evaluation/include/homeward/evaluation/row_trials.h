@@ -26,7 +26,7 @@ struct RowOptions
 /** Where the pictures of one drive and of its rows are taken. */
 struct RowPoses
 {
-  std::vector<Pose2> seen;
+  std::vector<Pose2> seen;               ///< on the drive, world frame
   std::vector<std::vector<Pose2>> known; ///< by distance; empty where the row stands in something
 };
 

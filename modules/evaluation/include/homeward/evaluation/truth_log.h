@@ -21,10 +21,10 @@ namespace homeward
  */
 struct TruthLog
 {
-  std::string world; ///< SDF file, as given
-  std::string robot; ///< URDF file, as given
-  std::string light; ///< preset's name
-  std::uint64_t seed = 0;
+  std::string world;                 ///< SDF file, as given
+  std::string robot;                 ///< URDF file, as given
+  std::string light;                 ///< preset's name
+  std::uint64_t seed = 0;            ///< of the simulation
   double forwardDistance = 0.0;      ///< metres
   Pose2 start;                       ///< of the robot in the world
   Pose2 end;                         ///< likewise

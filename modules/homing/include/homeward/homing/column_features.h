@@ -36,7 +36,7 @@ struct ColumnFeatureOptions
  */
 struct ColumnFeatures
 {
-  ColumnFeatureOptions options;
+  ColumnFeatureOptions options; ///< they were made with
   /** versions[m][i * rows + r]: column i at azimuth +2 pi i / columns, row 0 on top. */
   std::vector<std::vector<std::uint8_t>> versions;
   double texturedShare = 0.0; ///< share of columns that are not blank

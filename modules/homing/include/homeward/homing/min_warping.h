@@ -30,7 +30,7 @@ inline constexpr MinWarpingOptions kThoroughWarping{288, 80, 23, 2.6, 3.2, true,
 /** The answer of MinWarping with what it knows about its own quality. */
 struct WarpingMatch
 {
-  HomeVector home;
+  HomeVector home; ///< that the best warping says
   /**
    * Mean column distance of the best warping, 0 (same) to 1: a place-recognition distance that
    * tolerates displacement and a change of light.
@@ -68,6 +68,7 @@ public:
   std::optional<WarpingMatch> match(const ColumnFeatures &current,
                                     const ColumnFeatures &snapshot) const;
 
+  /** As it was made. */
   const MinWarpingOptions &options() const { return m_options; }
 
 private:

@@ -24,7 +24,7 @@ struct ScaleSpaceOptions
 /** The features of one panorama. */
 struct ScaleSpaceView
 {
-  PanoramaGeometry geometry;
+  PanoramaGeometry geometry;        ///< of the panorama
   std::vector<cv::KeyPoint> points; ///< x in columns of the panorama
   cv::Mat descriptors;              ///< a row for each: CV_8U of upright features, CV_32F of SIFT
 };

@@ -23,8 +23,8 @@ struct CarmenScan
 /** What a log holds of interest here. */
 struct CarmenLog
 {
-  std::vector<CarmenScan> scans;
-  std::size_t odometryLines = 0;
+  std::vector<CarmenScan> scans; ///< in the order of the file
+  std::size_t odometryLines = 0; ///< how many
 };
 
 /**

@@ -13,10 +13,10 @@ namespace homeward
 /** What the robot covers of the floor: a rectangle in the robot's frame, metres. */
 struct Footprint
 {
-  double xMin = -0.25;
-  double xMax = 0.25;
-  double yMin = -0.245;
-  double yMax = 0.245;
+  double xMin = -0.25;  ///< rear, metres
+  double xMax = 0.25;   ///< front, metres
+  double yMin = -0.245; ///< right side, metres
+  double yMax = 0.245;  ///< left side, metres
 
   /** Grown by `margin` metres on every side. */
   Footprint grown(double margin) const

@@ -14,7 +14,7 @@ namespace homeward
 /** A scan in the laser's frame and where the robot was when it was taken. */
 struct PlacedScan
 {
-  Scan scan;
+  Scan scan; ///< in its own frame
   Pose2 mMr; ///< robot in the merged frame, the robot's own when the node's picture was taken
 };
 

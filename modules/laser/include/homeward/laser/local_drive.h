@@ -29,6 +29,7 @@ namespace homeward
 class LocalDrive
 {
 public:
+  /** How it drives. */
   struct Options
   {
     double maxSpeed = 0.5;                ///< m/s
@@ -53,10 +54,11 @@ public:
     Blocked    ///< no way towards the bearing; stands
   };
 
+  /** What to do now. */
   struct Decision
   {
-    Twist2 twist;
-    State state = State::Blocked;
+    Twist2 twist;                 ///< to command
+    State state = State::Blocked; ///< what that is for
   };
 
   /** @throw LogicError for options out of bounds, naming the option */

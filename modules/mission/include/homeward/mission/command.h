@@ -54,7 +54,7 @@ struct Way
 /** Drive to a node by sight. Answer: Homed. */
 struct HomeTo
 {
-  NodeId node;
+  NodeId node; ///< where to
   /** Where to look for it first: radians from the stored heading of the node stood at, if known. */
   std::optional<double> departure;
   /** Stand exactly there in the end, turned as when the node was seen. */
@@ -80,8 +80,8 @@ struct HomeTo
 /** Stand still: the mission is over. */
 struct Finish
 {
-  Outcome outcome = Outcome::Done;
-  std::string reason;
+  Outcome outcome = Outcome::Done; ///< how the mission ended
+  std::string reason;              ///< why, in words
 
   bool operator==(const Finish &) const = default;
 };

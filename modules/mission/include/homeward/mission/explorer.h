@@ -17,6 +17,7 @@ namespace homeward
 /** Where an exploration stands; a plain value. */
 struct ExplorerState
 {
+  /** What it waits for. */
   enum class Phase
   {
     Surveying,   ///< a new node is being made
@@ -31,8 +32,8 @@ struct ExplorerState
     Finished
   };
 
-  int steps = 0; ///< taken so far
-  Phase phase = Phase::Surveying;
+  int steps = 0;                        ///< taken so far
+  Phase phase = Phase::Surveying;       ///< what it waits for
   std::optional<NodeId> origin;         ///< the node stood at last
   std::optional<DirectionId> direction; ///< of origin, being driven
   std::vector<NodeId> route;            ///< still to visit, the next first
@@ -134,6 +135,7 @@ struct ExplorerOptions
 class Explorer
 {
 public:
+  /** All that it remembers. */
   using State = ExplorerState;
 
   /** @throw LogicError for a distance that is not positive */

@@ -16,6 +16,7 @@ namespace homeward
 /** Where a navigation stands; a plain value. */
 struct NavigatorState
 {
+  /** What it waits for. */
   enum class Phase
   {
     Locating,    ///< which known place is this?
@@ -28,8 +29,8 @@ struct NavigatorState
     Finished
   };
 
-  Phase phase = Phase::Locating;
-  NodeId goal;
+  Phase phase = Phase::Locating;  ///< what it waits for
+  NodeId goal;                    ///< where to
   std::optional<NodeId> here;     ///< the node stood at last
   std::vector<NodeId> route;      ///< still to visit, the next first
   std::vector<NodeId> visited;    ///< stood at so far, in order
@@ -46,7 +47,7 @@ struct NavigatorState
 /** When the picture of a place gives way to a newer one. */
 struct RefreshOptions
 {
-  bool wanted = false;
+  bool wanted = false;       ///< pictures are refreshed at all
   double leastSure = 0.99;   ///< probability of standing at the place
   double leastChange = 0.15; ///< SeenAnew::change of views that one in the same light never has
   double farthest = 0.6;     ///< metres from where the way says, beyond which it is another place
@@ -98,8 +99,10 @@ struct NavigatorOptions
 class Navigator
 {
 public:
+  /** All that it remembers. */
   using State = NavigatorState;
 
+  /** @param options hold for every goal */
   explicit Navigator(const NavigatorOptions &options);
 
   /**

@@ -26,7 +26,7 @@ struct Chord
 /** One known place that the view may show. */
 struct PlaceMatch
 {
-  NodeId node;
+  NodeId node;                ///< that it may be
   double probability = 0.0;   ///< that the view was taken within a metre of the node, 0 to 1
   bool verified = false;      ///< sure enough to act on
   double dissimilarity = 0.0; ///< of the gray histograms, on the scale of the seed's thresholds
@@ -36,14 +36,14 @@ struct PlaceMatch
 struct Surveyed
 {
   std::vector<OpenDirection> directions; ///< bearings from the robot's heading when it looked
-  Chord chord;
+  Chord chord;                           ///< from the node left
 };
 
 /** Answer to DriveDirection. */
 struct Driven
 {
   bool blocked = false; ///< stopped by something before the distance was reached
-  Chord chord;
+  Chord chord;          ///< from the node left
   /** Metres that the laser sees straight on from where it was blocked. */
   double seenAhead = std::numeric_limits<double>::infinity();
 };
@@ -77,10 +77,10 @@ struct SeenAnew
 /** Answer to HomeTo. */
 struct Homed
 {
-  HomingEnd end = HomingEnd::Lost;
-  Chord chord;
-  double seconds = 0.0; ///< it took, by the robot's clock
-  double time = 0.0;    ///< when it ended, seconds, by the robot's clock
+  HomingEnd end = HomingEnd::Lost; ///< why it ended
+  Chord chord;                     ///< from the node left
+  double seconds = 0.0;            ///< it took, by the robot's clock
+  double time = 0.0;               ///< when it ended, seconds, by the robot's clock
   /** Of HomeTo::seeAnew, when sight says that the robot stands within centimetres of the place. */
   std::optional<SeenAnew> seen = std::nullopt;
 };

@@ -16,10 +16,10 @@ namespace homeward
  */
 template <class State> struct Step
 {
-  State state;
-  Command command;
-  std::vector<MapChange> changes;
-  std::vector<std::string> log; ///< lines of the seed's tables, "State | Node | Dissimilarity"
+  State state;                    ///< after it
+  Command command;                ///< to carry out next
+  std::vector<MapChange> changes; ///< of the map
+  std::vector<std::string> log;   ///< lines of the seed's tables, "State | Node | Dissimilarity"
   std::vector<NodeId> refreshes = {}; ///< nodes to be known by what was seen anew there from now on
 };
 

@@ -23,9 +23,9 @@ enum class BayesKernel
 /** What BayesLocalizer may be told. */
 struct BayesOptions
 {
-  BayesKernel kernel = BayesKernel::Gaussian;
-  double motionSigma = 1.0;                  ///< graph steps, > 0
-  double publishedPixels = kReferencePixels; ///< of Published, > 0
+  BayesKernel kernel = BayesKernel::Gaussian; ///< of motion and of views
+  double motionSigma = 1.0;                   ///< graph steps, > 0
+  double publishedPixels = kReferencePixels;  ///< of Published, > 0
   /** Probability that the robot is carried anywhere else between two views; 0 as published,
    * below 1.
    */
@@ -74,6 +74,7 @@ public:
   /** Probabilities by node, sum 1. */
   const std::vector<double> &belief() const { return m_belief; }
 
+  /** In the order of every argument and result. */
   const std::vector<NodeId> &nodes() const { return m_nodes; }
 
 private:

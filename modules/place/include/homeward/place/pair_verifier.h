@@ -19,6 +19,7 @@ class PairVerifier
 public:
   virtual ~PairVerifier() = default;
 
+  /** Compares two panoramas of one geometry. */
   virtual Verification verify(const Panorama &current, const Panorama &stored) = 0;
 };
 

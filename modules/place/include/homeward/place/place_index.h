@@ -15,7 +15,7 @@ namespace homeward
 /** A known place and how unlike it is. */
 struct Match
 {
-  NodeId node;
+  NodeId node;                ///< the known place
   double dissimilarity = 0.0; ///< see homeward::dissimilarity()
 };
 
@@ -67,8 +67,11 @@ public:
   /** All places nearer than `limit`, best first; ties by id. */
   std::vector<Match> within(const Signature &query, double limit) const;
 
+  /** Of the signatures that it takes. */
   SignatureKind kind() const;
+  /** Number of places that it knows. */
   std::size_t size() const;
+  /** Whether it knows the place. */
   bool contains(NodeId node) const;
 
   /** Memory that a node takes in the block, 0 before the first. */

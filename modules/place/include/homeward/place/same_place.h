@@ -10,8 +10,8 @@ struct PairLook
   double alignedEdges = 1.0;  ///< dissimilarity() of AlignedEdges
   double jeffrey = 1.0;       ///< likewise, per pixel; large where the light has changed
   double matchDistance = 1.0; ///< of min-warping, see WarpingMatch, as are the others
-  double contrast = 1.0;
-  double distanceProxy = 1.0;
+  double contrast = 1.0;      ///< of min-warping
+  double distanceProxy = 1.0; ///< of min-warping
 };
 
 /** A match given this is one to act on: nine in ten such are right, or more. */

@@ -44,17 +44,18 @@ enum class SignatureDistance
 /** What is known of a kind before any picture. */
 struct SignatureTraits
 {
-  SignatureKind kind;
-  std::string_view name;
-  SignatureDistance distance;
-  bool perPixel; ///< the distance grows with the panorama and is divided by its pixels
-  bool bytes;    ///< values are whole numbers, 0 to 255
+  SignatureKind kind;         ///< of which this is said
+  std::string_view name;      ///< as users write it
+  SignatureDistance distance; ///< that compares two
+  bool perPixel;              ///< the distance grows with the panorama and is divided by its pixels
+  bool bytes;                 ///< values are whole numbers, 0 to 255
   std::string_view invariances; ///< what, besides a turn on the spot, does not change it
 };
 
 /** Every kind that makeSignature() makes, in the order of the enumeration. */
 std::span<const SignatureTraits> signatureKinds();
 
+/** What is known of the kind. */
 const SignatureTraits &traits(SignatureKind kind);
 
 /** @throw ConfigError naming the known names */
@@ -72,8 +73,8 @@ inline constexpr int kSignatureVersion = 1;
  */
 struct Signature
 {
-  SignatureKind kind = SignatureKind::Jeffrey;
-  int pixels = 0; ///< how many went into it
+  SignatureKind kind = SignatureKind::Jeffrey; ///< says what the values are
+  int pixels = 0;                              ///< how many went into it
   /**
    * >= 0: counts by bin, or magnitudes by row (band) and frequency. TurnCorrelation: spectra, see
    * turnCorrelationDistance().

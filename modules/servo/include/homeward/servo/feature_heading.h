@@ -15,6 +15,7 @@ public:
   /** @throw LogicError unless finite */
   void set(double psi);
 
+  /** The heading, radians. */
   double psi() const { return s[0]; }
 
   void init() override;

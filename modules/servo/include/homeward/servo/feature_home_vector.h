@@ -29,7 +29,9 @@ public:
   /** @throw LogicError unless rho > 0 and both are finite */
   void set(double rho, double beta);
 
+  /** The distance proxy. */
   double rho() const { return s[0]; }
+  /** The direction of home, radians. */
   double beta() const { return s[1]; }
 
   void init() override;

@@ -44,6 +44,7 @@ public:
    */
   void set(const std::vector<SphericalBearing> &bearings);
 
+  /** As they were set. */
   const std::vector<SphericalBearing> &bearings() const { return m_bearings; }
 
   /** No points. */

@@ -69,6 +69,7 @@ public:
   /** Pose of frame p on the robot, seen from above. */
   const Pose2 &mirror() const { return m_rMp; }
 
+  /** As it was made. */
   const HomingServoOptions &options() const { return m_options; }
 
 private:

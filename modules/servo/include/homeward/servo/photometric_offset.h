@@ -14,6 +14,7 @@ namespace homeward
 /** When photometricOffset() gives an answer. */
 struct PhotometricOffsetOptions
 {
+  /** On which brightness is compared. */
   PhotometricOptions sphere = {144, 32, radians(2.5), 2.0, 0.0};
   double reach = 0.3;            ///< largest distance that is believed, metres
   double turn = radians(20.0);   ///< largest turn that is believed, rad

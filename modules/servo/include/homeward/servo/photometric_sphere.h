@@ -75,7 +75,9 @@ public:
   std::optional<PhotometricSample> measure(const Panorama &panorama,
                                            const cv::Mat &alsoVisible = {}) const;
 
+  /** Of the panoramas that it takes. */
   const PanoramaGeometry &geometry() const { return m_geometry; }
+  /** As it was made. */
   const PhotometricOptions &options() const { return m_options; }
 
   /** Cells, and so the rows of a sample. */

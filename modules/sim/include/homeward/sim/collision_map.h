@@ -54,6 +54,7 @@ public:
   /** Around everything finite that the body could touch; empty when there is no such thing. */
   const Eigen::AlignedBox2d &bounds() const { return m_bounds; }
 
+  /** How its cells lie in the world. */
   const FloorRaster &raster() const { return m_raster; }
 
   /** CV_8UC1, row = cell.y: 255 where any part of the body could touch something. */

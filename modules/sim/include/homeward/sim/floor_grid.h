@@ -19,8 +19,10 @@ namespace homeward
 class FloorGrid
 {
 public:
+  /** The floor where the body of `map` can stand. */
   explicit FloorGrid(const CollisionMap &map);
 
+  /** How its cells lie in the world. */
   const FloorRaster &raster() const { return m_raster; }
 
   /** Whether the cell of a point is free. Metres, world frame. */

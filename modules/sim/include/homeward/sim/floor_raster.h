@@ -30,6 +30,7 @@ struct FloorRaster
     return origin + resolution * Eigen::Vector2d(cell.x + 0.5, cell.y + 0.5);
   }
 
+  /** Whether it has such a cell. */
   bool contains(const cv::Point &cell) const
   {
     return cell.x >= 0 && cell.y >= 0 && cell.x < columns && cell.y < rows;

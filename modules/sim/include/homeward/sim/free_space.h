@@ -71,8 +71,10 @@ public:
   std::optional<double> pathLength(const Eigen::Vector2d &a, const Eigen::Vector2d &b,
                                    double limit) const;
 
+  /** Seen from above. */
   FloorPlan floorPlan() const;
 
+  /** Where the body can stand. */
   const FloorGrid &grid() const { return m_grid; }
 
 private:

@@ -26,7 +26,7 @@ std::string_view name(LightPreset preset);
 /** All the light in a world, and how a camera's automatic exposure takes it. */
 struct Lighting
 {
-  std::vector<Light> lights;
+  std::vector<Light> lights;                    ///< of the preset
   Eigen::Vector3f sky{0.4F, 0.4F, 0.4F};        ///< ambient radiance from above, linear RGB
   Eigen::Vector3f ground{0.25F, 0.25F, 0.25F};  ///< ambient radiance from below, linear RGB
   Eigen::Vector3f background{0.7F, 0.7F, 0.7F}; ///< where a ray meets nothing, linear RGB

@@ -25,6 +25,7 @@ struct RayHit
 class RayCaster
 {
 public:
+  /** Which meshes of the scene rays meet: Scene::visuals or Scene::collisions. */
   enum class Layer
   {
     Visual,
@@ -54,6 +55,7 @@ public:
   /** Whether anything stands on the straight line between two points. Metres, world frame. */
   bool blocked(const Eigen::Vector3f &from, const Eigen::Vector3f &to) const;
 
+  /** The world that it was made of. */
   const Scene &scene() const { return *m_scene; }
 
   /** The meshes that RayHit::mesh counts. */

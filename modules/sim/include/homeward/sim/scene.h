@@ -46,13 +46,14 @@ struct Mesh
 /** A lamp, or the sun. */
 struct Light
 {
+  /** Where its light comes from. */
   enum class Kind
   {
     Point,
     Spot,
     Directional
   };
-  Kind kind = Kind::Point;
+  Kind kind = Kind::Point;                      ///< where its light comes from
   Eigen::Vector3f position{0.0F, 0.0F, 0.0F};   ///< metres, world frame
   Eigen::Vector3f direction{0.0F, 0.0F, -1.0F}; ///< unit, the way the light goes, world frame
   Eigen::Vector3f colour{1.0F, 1.0F, 1.0F};     ///< linear RGB at attenuation 1
@@ -62,19 +63,19 @@ struct Light
   float quadratic = 0.0F;                       ///< ... per square metre)
   float innerAngle = 0.0F;                      ///< full cone of full light, radians (Spot)
   float outerAngle = 0.0F;                      ///< full cone of any light, radians (Spot)
-  bool castsShadows = true;
+  bool castsShadows = true;                     ///< things in its way do
 };
 
 /** Everything a simulated sensor can see or touch. World frame, metres, z up. */
 struct Scene
 {
-  std::string name;
-  std::vector<Mesh> visuals;    ///< what a camera sees
-  std::vector<Mesh> collisions; ///< what a laser and a bumper meet
-  std::vector<Material> materials;
-  std::vector<Texture> textures;
-  std::vector<Light> lights; ///< as the file has them
-  Eigen::Vector3f ambient{0.4F, 0.4F, 0.4F};
+  std::string name;                             ///< as its file has it
+  std::vector<Mesh> visuals;                    ///< what a camera sees
+  std::vector<Mesh> collisions;                 ///< what a laser and a bumper meet
+  std::vector<Material> materials;              ///< that meshes name by index
+  std::vector<Texture> textures;                ///< that materials name by index
+  std::vector<Light> lights;                    ///< as the file has them
+  Eigen::Vector3f ambient{0.4F, 0.4F, 0.4F};    ///< linear RGB of the light from everywhere
   Eigen::Vector3f background{0.7F, 0.7F, 0.7F}; ///< linear RGB where a ray meets nothing
   std::vector<std::string> problems; ///< one line for each model, mesh or texture left out
 };

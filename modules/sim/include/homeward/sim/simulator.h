@@ -30,15 +30,15 @@ inline constexpr Limits kPioneer3AtLimits{0.7, radians(140.0), 0.3, 0.5, radians
 /** How a simulation is set up. */
 struct SimulatorOptions
 {
-  std::uint64_t seed = 1; ///< of optics, slip and every noise
-  LightPreset light = LightPreset::Day;
+  std::uint64_t seed = 1;                    ///< of optics, slip and every noise
+  LightPreset light = LightPreset::Day;      ///< day, night or another
   std::optional<Pose2> start = std::nullopt; ///< wMr; nothing: defaultStart()
   int threads = 2;                           ///< that render; the result does not depend on it
   bool exactOptics = false;                  ///< the mirror is as its file says (for data sets)
-  LaserOptions laser = {};
-  Limits limits = kPioneer3AtLimits; ///< of the base itself
-  DriveErrors drive = {};
-  RenderOptions camera = {}; ///< its `threads` is overruled by the one above
+  LaserOptions laser = {};                   ///< of range, angle and noise
+  Limits limits = kPioneer3AtLimits;         ///< of the base itself
+  DriveErrors drive = {};                    ///< of wheels on the floor
+  RenderOptions camera = {};                 ///< its `threads` is overruled by the one above
 };
 
 /** What only the simulator knows. */
@@ -62,6 +62,7 @@ struct Truth
 class Simulator
 {
 public:
+  /** In which the world moves on. */
   static constexpr Duration kStep = std::chrono::milliseconds(20);
 
   /**
@@ -76,11 +77,16 @@ public:
   Simulator(const Simulator &) = delete;
   Simulator &operator=(const Simulator &) = delete;
 
+  /** Makes time pass. */
   Clock &clock();
+  /** The wheels. */
   MobileBase &base();
+  /** The laser. */
   LaserScanner &laser();
+  /** The mirror camera. */
   ImageSource &camera();
 
+  /** As it is now. */
   Truth truth() const;
 
   /** Of the world as it was first: reachable from the start; lines of sight at the height of the

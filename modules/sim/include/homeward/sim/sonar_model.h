@@ -23,6 +23,7 @@ class SonarModel
 public:
   static constexpr double kRangeMax = 5.0; ///< metres
 
+  /** @param seed of the noise */
   SonarModel(SolidWorld world, const RobotDescription &robot, std::uint64_t seed);
 
   /** From now on it hears another world. */

@@ -31,7 +31,7 @@ struct TrueOptics
   Eigen::Matrix3d pRa = Eigen::Matrix3d::Identity(); ///< mirror axes a (as p, untilted) in p
   double innerRadius = 30.0;                         ///< pixels; camera and robot hide inside
   double outerRadius = 236.0;                        ///< pixels; the mirror's rim
-  CameraMount mount;
+  CameraMount mount;                                 ///< as it truly sits on the robot
 
   /** Unit ray of a pixel in frame p, the mirror's focus; nothing far beyond the rim. */
   std::optional<Eigen::Vector3d> ray(const Eigen::Vector2d &pixel) const;

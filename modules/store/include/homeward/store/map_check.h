@@ -12,8 +12,8 @@ namespace homeward
 /** What was looked at in a map file, and what is wrong with it. */
 struct MapCheck
 {
-  std::size_t nodes = 0;
-  std::size_t edges = 0;
+  std::size_t nodes = 0;                  ///< of the map
+  std::size_t edges = 0;                  ///< of the map
   std::size_t pictures = 0;               ///< sound ones
   std::vector<std::string> findings = {}; ///< one line each; empty: it is sound
 };

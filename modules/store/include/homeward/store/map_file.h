@@ -22,10 +22,10 @@ class Database;
 /** What a map was made with. Written once, when the map is created. */
 struct MapHeader
 {
-  std::string cameraHash; ///< contentHashText() of the camera file's text
-  PanoramaGeometry panorama;
-  std::string signatureKind; ///< which signature tells the places apart
-  int signatureVersion = 1;
+  std::string cameraHash;                   ///< contentHashText() of the camera file's text
+  PanoramaGeometry panorama;                ///< of every picture in it
+  std::string signatureKind;                ///< which signature tells the places apart
+  int signatureVersion = 1;                 ///< see kSignatureVersion
   std::map<std::string, double> thresholds; ///< by name; each with its own unit
 
   bool operator==(const MapHeader &) const = default;
@@ -34,7 +34,7 @@ struct MapHeader
 /** The picture of a place. */
 struct NewView
 {
-  NodeId node;
+  NodeId node;     ///< that it shows
   ViewBytes bytes; ///< from encodeView()
 };
 
@@ -42,7 +42,7 @@ struct NewView
 struct LogLine
 {
   double time = 0.0; ///< robot time, seconds
-  std::string text;
+  std::string text;  ///< for people
 
   bool operator==(const LogLine &) const = default;
 };
@@ -50,11 +50,11 @@ struct LogLine
 /** All that one step changes in a map, in one transaction. */
 struct MapUpdate
 {
-  std::vector<MapChange> changes = {};
+  std::vector<MapChange> changes = {};        ///< of the graph, in this order
   std::optional<NewView> view = std::nullopt; ///< of a node that has none
   /** Newer pictures of nodes that have one, turned to the heading that the node was stored with. */
   std::vector<NewView> refreshes = {};
-  std::vector<LogLine> log = {};
+  std::vector<LogLine> log = {};                  ///< lines to add
   std::map<std::string, std::string> values = {}; ///< free keys; an old value is replaced
 };
 
@@ -62,8 +62,8 @@ struct MapUpdate
 struct JournalEntry
 {
   std::int64_t number = 0; ///< counts from 1
-  std::string description;
-  bool undone = false;
+  std::string description; ///< for people, one line
+  bool undone = false;     ///< it was taken back
 
   bool operator==(const JournalEntry &) const = default;
 };
@@ -83,11 +83,13 @@ struct JournalEntry
 class MapFile
 {
 public:
+  /** What becomes of an older map of the same name. */
   enum class IfExists
   {
     Refuse,
     Replace
   };
+  /** What the map is opened for. */
   enum class Access
   {
     ReadWrite,
@@ -123,7 +125,9 @@ public:
   /** Closes; what fails then is lost, call close() to hear of it. */
   ~MapFile();
 
+  /** Its name. */
   const std::filesystem::path &path() const { return m_path; }
+  /** What it was made with. */
   const MapHeader &header() const { return m_header; }
 
   /** The graph, as of the last append(). */

@@ -23,22 +23,28 @@ namespace homeward
 template <class Key, class Value> class IdMap
 {
 public:
+  /** Goes through the things in order of ids. */
   class const_iterator // NOLINT(readability-identifier-naming): the name that algorithms expect
   {
   public:
+    /** As algorithms expect. */
     using iterator_category = std::input_iterator_tag;
+    /** An id and what it names. */
     using value_type = std::pair<Key, const Value &>;
+    /** As algorithms expect. */
     using difference_type = std::ptrdiff_t;
+    /** As algorithms expect. */
     using reference = value_type;
 
     /** An entry that lives as long as the expression it is asked in. */
     struct pointer // NOLINT(readability-identifier-naming): as above
     {
-      value_type entry;
+      value_type entry; ///< an id and what it names
       const value_type *operator->() const { return &entry; }
     };
 
     const_iterator() = default;
+    /** At the first thing from `index` on. */
     const_iterator(const IdMap &map, std::size_t index) : m_map(&map), m_index(index) { skip(); }
 
     reference operator*() const
@@ -76,12 +82,15 @@ public:
   const_iterator begin() const { return {*this, 0}; }
   const_iterator end() const { return {*this, m_values.size()}; }
 
+  /** Number of things. */
   std::size_t size() const { return m_size; }
+  /** Whether there is nothing. */
   bool empty() const { return m_size == 0; }
 
   /** The id that the next value gets. */
   Key next() const { return {static_cast<std::int64_t>(m_values.size())}; }
 
+  /** Whether the id names something. */
   bool contains(Key id) const { return find(id) != nullptr; }
 
   /** Null when there is none. */
@@ -101,6 +110,7 @@ public:
     }
     return *found;
   }
+  /** @throw LogicError when there is none */
   Value &at(Key id) { return const_cast<Value &>(std::as_const(*this).at(id)); }
 
   /** Adds a value at next(). */

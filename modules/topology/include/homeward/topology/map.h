@@ -13,8 +13,8 @@ namespace homeward
 /** An edge as seen from one of its ends, with what planning asks of it. */
 struct Link
 {
-  NodeId to;
-  EdgeId edge;
+  NodeId to;           ///< its other end
+  EdgeId edge;         ///< the way there
   double metres = 0.0; ///< expectedMetres() of the edge; infinite when it is forbidden
 
   bool operator==(const Link &) const = default;
@@ -52,7 +52,9 @@ public:
   /** The id that the next edge must have. */
   EdgeId nextEdgeId() const { return m_edges.next(); }
 
+  /** All places, in order of ids. */
   const IdMap<NodeId, Node> &nodes() const { return m_nodes; }
+  /** All ways, in order of ids. */
   const IdMap<EdgeId, Edge> &edges() const { return m_edges; }
 
   /** Whether the node exists. */

@@ -32,8 +32,8 @@ struct Direction
   DirectionId id;       ///< its index in Node::directions
   double bearing = 0.0; ///< radians, ccw from the robot's heading when the node was created
   double width = 0.0;   ///< radians, 0 or more
-  DirectionState state = DirectionState::Open;
-  std::string reason = {}; ///< why it was settled; empty while open
+  DirectionState state = DirectionState::Open; ///< what became of it
+  std::string reason = {};                     ///< why it was settled; empty while open
 
   bool operator==(const Direction &) const = default;
 };
@@ -41,8 +41,8 @@ struct Direction
 /** A place. */
 struct Node
 {
-  NodeId id;
-  std::vector<Direction> directions = {};
+  NodeId id;                              ///< its name for the map
+  std::vector<Direction> directions = {}; ///< ways to leave it, by id
   /** What people call it; empty: nothing. No other node has it, and it is never all digits, so that
    * it cannot be taken for a number. */
   std::string name = {};
@@ -53,7 +53,7 @@ struct Node
 /** What came of driving along an edge, both ways together. */
 struct EdgeStatistics
 {
-  int tries = 0;
+  int tries = 0;              ///< both ways together
   int successes = 0;          ///< tries at most
   double meanSeconds = 0.0;   ///< of successes, robot time; 0 without any
   std::string lastError = {}; ///< what the last failure ended with; empty: there was none
@@ -65,15 +65,15 @@ struct EdgeStatistics
 /** Two places with a driven way between them, usable both ways. */
 struct Edge
 {
-  EdgeId id;
-  NodeId a;
-  NodeId b;
+  EdgeId id; ///< its name for the map
+  NodeId a;  ///< one end
+  NodeId b;  ///< the other end
   /** Departure bearing towards the other end, radians ccw from that node's stored heading. */
   std::optional<double> bearingAtA = std::nullopt;
   std::optional<double> bearingAtB = std::nullopt; ///< as bearingAtA, at b towards a
   std::optional<double> length = std::nullopt;     ///< metres, straight, as odometry had it
-  EdgeStatistics statistics = {};
-  bool forbidden = false; ///< no-go: never planned over
+  EdgeStatistics statistics = {};                  ///< of drives along it
+  bool forbidden = false;                          ///< no-go: never planned over
 
   bool operator==(const Edge &) const = default;
 };
@@ -91,54 +91,54 @@ double expectedMetres(const Edge &edge);
 /** A place is added; its id is TopologicalMap::nextNodeId(), its directions' ids count from 0. */
 struct NodeAdded
 {
-  Node node;
+  Node node; ///< the new place
 };
 
 /** A way is added; its id is TopologicalMap::nextEdgeId(). */
 struct EdgeAdded
 {
-  Edge edge;
+  Edge edge; ///< the new way
 };
 
 /** An open direction becomes driven or closed, once and for good. */
 struct DirectionSettled
 {
-  NodeId node;
-  DirectionId direction;
-  DirectionState state = DirectionState::Closed;
-  std::string reason = {};
+  NodeId node;                                   ///< whose direction
+  DirectionId direction;                         ///< that becomes settled
+  DirectionState state = DirectionState::Closed; ///< driven or closed
+  std::string reason = {};                       ///< why
 };
 
 /** A place gets a name, or loses it when that is empty. */
 struct NodeNamed
 {
-  NodeId node;
-  std::string name = {};
+  NodeId node;           ///< which
+  std::string name = {}; ///< what people call it now
 };
 
 /** A place is gone, and its edges with it. */
 struct NodeRemoved
 {
-  NodeId node;
+  NodeId node; ///< which
 };
 
 /** A way is gone. */
 struct EdgeRemoved
 {
-  EdgeId edge;
+  EdgeId edge; ///< which
 };
 
 /** A way must not, or may again, be driven. */
 struct EdgeForbidden
 {
-  EdgeId edge;
-  bool forbidden = true;
+  EdgeId edge;           ///< which
+  bool forbidden = true; ///< or allowed again
 };
 
 /** Somebody tried to drive along an edge. */
 struct EdgeTried
 {
-  EdgeId edge;
+  EdgeId edge;          ///< which
   std::string end = {}; ///< empty: arrived; else the word for what went wrong
   double seconds = 0.0; ///< it took, 0 or more
   double time = 0.0;    ///< when it ended, seconds; EdgeStatistics::lastTime
@@ -156,8 +156,8 @@ struct EdgeTried
  */
 struct NodesMerged
 {
-  NodeId kept;
-  NodeId gone;
+  NodeId kept;       ///< whose id stays
+  NodeId gone;       ///< whose id is never used again
   double turn = 0.0; ///< radians ccw
 };
 

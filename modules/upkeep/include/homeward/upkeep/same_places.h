@@ -21,10 +21,10 @@ PlaceLook comparePlaces(const Panorama &a, const Panorama &b);
 /** A place of one map that is one of another map. */
 struct PlacePair
 {
-  NodeId a;
-  NodeId b;
-  double probability = 0.0;
-  double turn = 0.0; ///< PlaceLook::turn
+  NodeId a;                 ///< of the one map
+  NodeId b;                 ///< of the other map
+  double probability = 0.0; ///< that they are one place
+  double turn = 0.0;        ///< PlaceLook::turn
 
   bool operator==(const PlacePair &) const = default;
 };

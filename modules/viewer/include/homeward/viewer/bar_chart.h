@@ -16,9 +16,9 @@ struct BarChart
     std::string name;           ///< below the bars
     std::vector<double> values; ///< 0 to 1, one a series
   };
-  std::string title;
+  std::string title;               ///< above it
   std::vector<std::string> series; ///< named in the legend
-  std::vector<Group> groups;
+  std::vector<Group> groups;       ///< from left to right
 };
 
 /**

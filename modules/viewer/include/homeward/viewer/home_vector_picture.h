@@ -24,8 +24,8 @@ struct HomeArrow
 /** The home vectors around one home. */
 struct HomeVectorField
 {
-  Eigen::Vector2d home; ///< metres, world frame
-  std::vector<HomeArrow> arrows;
+  Eigen::Vector2d home;                  ///< metres, world frame
+  std::vector<HomeArrow> arrows;         ///< each where it was found
   std::vector<Eigen::Vector2d> way = {}; ///< driven, metres, world frame; its start is a dot
 };
 

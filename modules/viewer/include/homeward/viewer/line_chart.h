@@ -19,9 +19,9 @@ struct LineChart
     std::vector<Eigen::Vector2d> points; ///< x, from 0 on and never falling, and share, 0 to 1
     double end = 0.0;                    ///< the line goes on to this x
   };
-  std::string title;
-  std::string xName; ///< below the axis, with its unit
-  std::vector<Series> series;
+  std::string title;          ///< above it
+  std::string xName;          ///< below the axis, with its unit
+  std::vector<Series> series; ///< a line each
 };
 
 /**

@@ -25,12 +25,12 @@ struct FloorPicture
 /** What a picture of a map shows besides the map. */
 struct MapPicture
 {
-  std::string title; ///< above the picture; empty for none
-  int width = 1200;  ///< of the picture, pixels; the height follows
-  bool legend = true;
+  std::string title;  ///< above the picture; empty for none
+  int width = 1200;   ///< of the picture, pixels; the height follows
+  bool legend = true; ///< below the picture
   /** World poses of the nodes, metres and radians; when empty, layOut() finds some. */
   std::map<NodeId, Pose2> poses;
-  std::optional<FloorPicture> floor;
+  std::optional<FloorPicture> floor;       ///< under the map; none where it is unknown
   std::vector<Eigen::Vector2d> trajectory; ///< where the robot drove, metres, world frame
   std::vector<NodeId> route;               ///< a planned way to emphasise
   std::optional<Pose2> robot;              ///< where it is now, world frame

@@ -14,7 +14,7 @@ namespace homeward
 /** A place whose panorama was compared with that of another one. */
 struct AlikePlace
 {
-  NodeId node;
+  NodeId node;              ///< that it is compared with
   double distance = 0.0;    ///< of the two panoramas' signatures, 0 (equal) or more
   double probability = 0.0; ///< that the two are one place, 0 to 1
 };

@@ -54,13 +54,14 @@ enum class ArcosCommand : std::uint8_t
 
 /** Packet ids of the standard server information packet. */
 inline constexpr std::uint8_t kSipStopped = 0x32;
+/** Id of a server information packet of a robot that moves. */
 inline constexpr std::uint8_t kSipMoving = 0x33;
 
 /** One packet without its frame: a command's number or a packet's type, then its arguments. */
 struct ArcosPacket
 {
-  std::uint8_t id = 0;
-  Bytes args;
+  std::uint8_t id = 0; ///< command, or kind of information
+  Bytes args;          ///< what follows it, without the checksum
 
   bool operator==(const ArcosPacket &) const = default;
 };
@@ -102,11 +103,12 @@ private:
 /** What a robot says of itself in the answer to SYNC2. */
 struct ArcosIdentity
 {
-  std::string name;
+  std::string name;       ///< given by its owner
   std::string robotClass; ///< "Pioneer"
   std::string subclass;   ///< "p3at": picks the conversion factors
 };
 
+/** The packet that says it. */
 ArcosPacket encodeIdentity(const ArcosIdentity &identity);
 
 /** Nothing when it is another packet. */
@@ -115,7 +117,7 @@ std::optional<ArcosIdentity> parseIdentity(const ArcosPacket &packet);
 /** One echo in a SIP. */
 struct ArcosSonar
 {
-  std::uint8_t index = 0;
+  std::uint8_t index = 0;  ///< of the transducer
   std::uint16_t range = 0; ///< range units
 
   bool operator==(const ArcosSonar &) const = default;
@@ -124,33 +126,38 @@ struct ArcosSonar
 /** The standard server information packet, in the robot's own units. */
 struct ArcosSip
 {
-  bool moving = false;
-  std::uint16_t x = 0;         ///< distance units, a counter modulo 2^15 or 2^16
-  std::uint16_t y = 0;         ///< distance units
-  std::int16_t heading = 0;    ///< angle units
-  std::int16_t leftSpeed = 0;  ///< speed units
-  std::int16_t rightSpeed = 0; ///< speed units
-  std::uint8_t battery = 0;    ///< 0.1 V
-  std::uint16_t stall = 0;     ///< wheels and bumpers that are held
-  std::int16_t control = 0;    ///< heading set point, angle units
-  std::uint16_t flags = 0;     ///< motors, sonar, emergency stop
-  std::uint8_t compass = 0;    ///< 2 deg
-  std::vector<ArcosSonar> sonars;
+  bool moving = false;                  ///< the packet says that the robot moves
+  std::uint16_t x = 0;                  ///< distance units, a counter modulo 2^15 or 2^16
+  std::uint16_t y = 0;                  ///< distance units
+  std::int16_t heading = 0;             ///< angle units
+  std::int16_t leftSpeed = 0;           ///< speed units
+  std::int16_t rightSpeed = 0;          ///< speed units
+  std::uint8_t battery = 0;             ///< 0.1 V
+  std::uint16_t stall = 0;              ///< wheels and bumpers that are held
+  std::int16_t control = 0;             ///< heading set point, angle units
+  std::uint16_t flags = 0;              ///< motors, sonar, emergency stop
+  std::uint8_t compass = 0;             ///< 2 deg
+  std::vector<ArcosSonar> sonars;       ///< echoes that are new
   std::optional<std::int16_t> turnRate; ///< 0.1 deg/s; old robots do not say
 
+  /** The motors are on. */
   bool motorsOn() const { return (flags & kMotorsOn) != 0; }
+  /** The emergency stop is pressed. */
   bool emergencyStop() const { return (flags & kEmergencyStop) != 0; }
+  /** A wheel is held. */
   bool wheelStalled() const { return (stall & kWheels) != 0; }
+  /** A bumper at the front is pressed. */
   bool bumpedAhead() const { return (stall & kFrontBumpers) != 0; }
+  /** A bumper at the rear is pressed. */
   bool bumpedBehind() const { return (stall & kRearBumpers) != 0; }
 
   // Bits of `flags` and `stall`.
-  static constexpr std::uint16_t kMotorsOn = 0x0001;
-  static constexpr std::uint16_t kSonarOn = 0x001E;
-  static constexpr std::uint16_t kEmergencyStop = 0x0020;
-  static constexpr std::uint16_t kWheels = 0x0101;
-  static constexpr std::uint16_t kRearBumpers = 0x00FE;
-  static constexpr std::uint16_t kFrontBumpers = 0xFE00;
+  static constexpr std::uint16_t kMotorsOn = 0x0001;      ///< bit of flags
+  static constexpr std::uint16_t kSonarOn = 0x001E;       ///< bits of flags
+  static constexpr std::uint16_t kEmergencyStop = 0x0020; ///< bit of flags
+  static constexpr std::uint16_t kWheels = 0x0101;        ///< bits of stall
+  static constexpr std::uint16_t kRearBumpers = 0x00FE;   ///< bits of stall
+  static constexpr std::uint16_t kFrontBumpers = 0xFE00;  ///< bits of stall
 
   bool operator==(const ArcosSip &) const = default;
 };
@@ -178,6 +185,7 @@ struct ArcosUnits
 class ArcosOdometry
 {
 public:
+  /** Starts at the origin with the next packet. */
   explicit ArcosOdometry(const ArcosUnits &units) : m_units(units) {}
 
   /** The pose after this SIP; the first one places the origin at its counters' zero. */

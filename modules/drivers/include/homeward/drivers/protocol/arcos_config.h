@@ -12,11 +12,11 @@ inline constexpr std::uint8_t kArcosConfig = 0x20;
 /** What a robot says of its own settings, as far as this project asks. ARIA takes its limits. */
 struct ArcosConfig
 {
-  std::string robotClass = "Pioneer";
-  std::string subclass = "p3at";
-  std::string serial;
-  std::string name;
-  std::string firmware;
+  std::string robotClass = "Pioneer";   ///< as it calls itself
+  std::string subclass = "p3at";        ///< whose units it uses
+  std::string serial;                   ///< number of the robot
+  std::string name;                     ///< given by its owner
+  std::string firmware;                 ///< version
   std::uint16_t turnRateTop = 300;      ///< deg/s
   std::uint16_t speedTop = 1200;        ///< mm/s
   std::uint16_t turnAccelTop = 300;     ///< deg/s^2

@@ -16,7 +16,7 @@ inline constexpr std::size_t kLaserPartSize = 32;
 /** A part of a sweep. Readings go counter-clockwise from the right end of the field of view. */
 struct ArcosLaserPart
 {
-  std::uint8_t kind = kLaserPlain;
+  std::uint8_t kind = kLaserPlain;   ///< kLaserPlain or what follows it
   std::uint16_t total = 0;           ///< readings in the sweep
   std::uint16_t first = 0;           ///< index of the first one here
   std::vector<std::uint16_t> ranges; ///< mm; 0 is nothing measured

@@ -13,8 +13,8 @@ namespace homeward
 /** What an ARIA parameter file (`p3at.p`) says of a robot, as far as this project asks. */
 struct AriaParameters
 {
-  std::string subclass;
-  ArcosUnits units;
+  std::string subclass;           ///< that the file is for
+  ArcosUnits units;               ///< of the robot's numbers
   double width = 0.0;             ///< metres
   double length = 0.0;            ///< metres
   double maxSpeed = 0.0;          ///< m/s

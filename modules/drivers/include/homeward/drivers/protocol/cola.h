@@ -26,6 +26,7 @@ Bytes frameCola(std::string_view text);
 class ColaReader
 {
 public:
+  /** Takes what has come in. */
   void push(std::span<const std::uint8_t> bytes);
 
   /** The text of the next whole telegram; nothing until more bytes come. */

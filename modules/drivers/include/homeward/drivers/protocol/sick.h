@@ -15,13 +15,14 @@ namespace homeward
 inline constexpr std::uint8_t kSickHost = 0x00;    ///< address in the host's telegrams
 inline constexpr std::uint8_t kSickScanner = 0x80; ///< address in the scanner's
 inline constexpr std::uint8_t kSickAck = 0x06;     ///< comes before an answer
+/** The byte that refuses a telegram. */
 inline constexpr std::uint8_t kSickNak = 0x15;
 
 /** One telegram without its frame; the payload is command and data (and in answers a status). */
 struct SickTelegram
 {
-  std::uint8_t address = kSickHost;
-  Bytes payload;
+  std::uint8_t address = kSickHost; ///< of whom it is for
+  Bytes payload;                    ///< command or answer and what belongs to it
 
   bool operator==(const SickTelegram &) const = default;
 };
@@ -37,6 +38,7 @@ Bytes frameSick(const SickTelegram &telegram);
 class SickReader
 {
 public:
+  /** Takes what has come in. */
   void push(std::span<const std::uint8_t> bytes);
 
   /** The next whole telegram; nothing until more bytes come. */
@@ -53,11 +55,12 @@ struct SickScan
   double unit = 0.0;                 ///< metres per count: 0.01, 0.001 or 0.1
   bool whole = true;                 ///< not one part of an interlaced scan
   std::vector<std::uint16_t> counts; ///< from the right, counter-clockwise, flags still in
-  std::uint8_t status = 0;
+  std::uint8_t status = 0;           ///< as the telegram ends
 
   bool operator==(const SickScan &) const = default;
 };
 
+/** The telegram that says it. */
 SickTelegram encodeSickScan(const SickScan &scan);
 
 /** Nothing when it is another telegram or one cut short. */
