@@ -25,14 +25,14 @@ struct BagTopics
 /** The JSON of an event. */
 struct BagEvent
 {
-  std::string json;
+  std::string json; ///< one value
 };
 
 /** A message. Of a BaseState only stamp, odometry and velocity are told. */
 struct BagMessage
 {
   Time at{}; ///< when it was written; ROS time counts as robot time
-  std::variant<BaseState, Scan, Frame, Twist2, BagEvent> what;
+  std::variant<BaseState, Scan, Frame, Twist2, BagEvent> what; ///< its content
 };
 
 } // namespace homeward

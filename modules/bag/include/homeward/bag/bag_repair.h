@@ -11,9 +11,9 @@ namespace homeward
 /** What repairBag() did. */
 struct BagRepair
 {
-  bool needed = false; ///< the bag had no index
-  std::size_t chunks = 0;
-  std::size_t messages = 0;
+  bool needed = false;        ///< the bag had no index
+  std::size_t chunks = 0;     ///< in the new index
+  std::size_t messages = 0;   ///< in those chunks
   std::uint64_t cutBytes = 0; ///< after the last closed chunk
 };
 

@@ -27,9 +27,13 @@ public:
                    const std::atomic<bool> &stop, Keep keep);
   ~RecordingDevices();
 
+  /** The clock to give to the mission; each call is kept. */
   Clock &clock();
+  /** The base to give to the mission; each call is kept. */
   MobileBase &base();
+  /** The laser to give to the mission; each call is kept. */
   LaserScanner &laser();
+  /** The camera to give to the mission; each call is kept. */
   ImageSource &camera();
 
   /** Keeps something that the program has to say. @param json one value */

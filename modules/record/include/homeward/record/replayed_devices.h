@@ -23,7 +23,7 @@ public:
 /** Where a program first told its robot something else than when it was recorded. */
 struct Divergence
 {
-  Time at{};
+  Time at{};                      ///< robot time
   std::optional<Twist2> recorded; ///< nothing: no command
   std::optional<Twist2> now;      ///< nothing: no command
 };
@@ -42,9 +42,13 @@ public:
   ReplayedDevices(std::function<std::optional<Tick>()> next, std::function<void()> askToStop);
   ~ReplayedDevices();
 
+  /** The clock as it was. */
   Clock &clock();
+  /** The base as it was. */
   MobileBase &base();
+  /** The laser as it was. */
   LaserScanner &laser();
+  /** The camera as it was. */
   ImageSource &camera();
 
   /** Robot time of the tick; a look at it that counts as no call. */

@@ -16,8 +16,8 @@ namespace homeward
 /** What the clock said, so many times in a row. */
 struct Instant
 {
-  Time at{};
-  std::size_t times = 1;
+  Time at{};             ///< its answer
+  std::size_t times = 1; ///< calls that had this answer
 };
 
 /** A device of the robot. */
@@ -31,9 +31,9 @@ enum class Device
 /** A device failed when it was asked. */
 struct DeviceFault
 {
-  Device device = Device::Base;
-  std::size_t call = 0; ///< calls of the tick before
-  std::string what;     ///< the message of the DeviceError
+  Device device = Device::Base; ///< that failed
+  std::size_t call = 0;         ///< calls of the tick before
+  std::string what;             ///< the message of the DeviceError
 };
 
 /**
@@ -42,15 +42,15 @@ struct DeviceFault
  */
 struct Tick
 {
-  std::vector<Instant> instants;
-  std::vector<bool> counted; ///< answers of Clock::counts()
-  std::vector<BaseState> states;
-  std::vector<std::optional<Scan>> scans;
+  std::vector<Instant> instants;            ///< answers of Clock::now()
+  std::vector<bool> counted;                ///< answers of Clock::counts()
+  std::vector<BaseState> states;            ///< answers of the base
+  std::vector<std::optional<Scan>> scans;   ///< answers of the laser
   std::vector<std::optional<Frame>> frames; ///< one whose image is empty was not kept
   std::vector<std::optional<Time>> newest;  ///< answers of ImageSource::newest()
-  std::vector<Twist2> commands;
-  std::vector<DeviceFault> faults;
-  std::vector<std::string> notes; ///< what the program had to say, JSON
+  std::vector<Twist2> commands;             ///< what the base was told
+  std::vector<DeviceFault> faults;          ///< instead of answers
+  std::vector<std::string> notes;           ///< what the program had to say, JSON
   /** Calls of this tick after which a stop was asked for; nothing: it was not yet. */
   std::optional<std::size_t> stopAfter;
   bool last = false; ///< the program ended; else it slept

@@ -20,12 +20,12 @@ namespace homeward
 /** How a map is made of a drive. */
 struct DriveMapperOptions
 {
-  double forwardDistance = 2.0; ///< metres driven from one place to the next
-  double lookEvery = 0.4;       ///< metres driven after which known places are looked for
-  double odometryError = 0.1;   ///< of the way: how far off a known place may seem
-  PlaceMemory::Options places;
-  OpenDirectionOptions directions;
-  PanoramaGeometry panorama;
+  double forwardDistance = 2.0;    ///< metres driven from one place to the next
+  double lookEvery = 0.4;          ///< metres driven after which known places are looked for
+  double odometryError = 0.1;      ///< of the way: how far off a known place may seem
+  PlaceMemory::Options places;     ///< when a view surely shows a known place
+  OpenDirectionOptions directions; ///< of a place, from its scan
+  PanoramaGeometry panorama;       ///< of the views
 };
 
 /**
@@ -41,10 +41,13 @@ public:
   DriveMapper(const MirrorCamera &camera, const Eigen::Isometry3d &rMl, MapFile &file,
               const DriveMapperOptions &options);
 
+  /** Follows the odometry. */
   void take(const BaseState &state);
+  /** The newest scan gives a new place its open directions. */
   void take(const Scan &scan);
 
-  /** @throw ConfigError when it has another size than the camera's */
+  /** Looks at it where the way since the last look asks for it. @throw ConfigError when it has
+   * another size than the camera's */
   void take(const Frame &frame);
 
   /** The drive ends here, which is a place too when the last one is far. */
