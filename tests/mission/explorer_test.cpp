@@ -154,19 +154,25 @@ TEST(Explorer, MakesNoPlaceThatNoEdgeCouldLeadTo)
   EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{2});
 }
 
-//  0 - 1 - 2, a metre apart; from 2 the robot drove back to a hand's width off 1, which looks like
-//  nothing there.
-TEST(Explorer, MakesNoPlaceWhereTheWaysHaveOne)
+//  0 - 1 - 2, a metre apart, and 3 a metre from 1; the robot has left 3 for 1.
+Row backFromATurning()
 {
   Row row;
   row.map.apply(NodeAdded{{NodeId{3}, {{DirectionId{0}, kPi, 1.0, DirectionState::Open, ""}}}});
   row.map.apply(EdgeAdded{{EdgeId{2}, NodeId{1}, NodeId{3}, 0.0, kPi, 1.0}});
   row.state.origin = NodeId{3};
   row.state.direction = DirectionId{0};
+  return row;
+}
+
+//  It stands a hand's width off 1, which looks like nothing there.
+TEST(Explorer, MakesNoPlaceWhereTheWaysHaveOne)
+{
+  const Row row = backFromATurning();
   const Explorer explorer(oneMetre());
   const auto arrive = [&](double distance) {
-    row.report.chord = {distance, distance, kPi, 0.0};
-    const auto step = explorer.next(row.state, row.map, row.report);
+    const Driven driven{false, {distance, distance, kPi, 0.0}};
+    const auto step = explorer.next(row.state, row.map, driven);
     return explorer.next(step.state, row.map, Recognised{});
   };
   EXPECT_TRUE(std::holds_alternative<Survey>(arrive(0.6).command));
@@ -178,6 +184,28 @@ TEST(Explorer, MakesNoPlaceWhereTheWaysHaveOne)
   const auto &settled = std::get<DirectionSettled>(step.changes[0]);
   EXPECT_EQ(settled.state, DirectionState::Closed);
   EXPECT_EQ(settled.reason, "node 1 is there");
+}
+
+//  The ways do not have 1 there for sure, but sight has, and homing to it ends beside it.
+TEST(Explorer, MakesNoPlaceBesideOneSurelySeenThatItCannotComeTo)
+{
+  const Row row = backFromATurning();
+  const Explorer explorer(oneMetre());
+  const Recognised seen{{{NodeId{1}, 0.99, true, 10.0}}};
+  const auto comeTo = [&](double metres, HomingEnd end) {
+    const Chord chord{metres, 3.0, kPi, 0.0}; // on crooked ways
+    auto step = explorer.next(row.state, row.map, Driven{false, chord});
+    step = explorer.next(step.state, row.map, seen);
+    EXPECT_EQ(std::get<HomeTo>(step.command).node, NodeId{1});
+    step = explorer.next(step.state, row.map, Homed{end, chord});
+    return explorer.next(step.state, row.map, seen);
+  };
+  auto step = comeTo(0.55, HomingEnd::Blocked);
+  EXPECT_TRUE(std::holds_alternative<HomeTo>(step.command)); // once more
+  step = comeTo(0.55, HomingEnd::Lost);
+  ASSERT_TRUE(std::holds_alternative<DriveDirection>(step.command)); // back
+  EXPECT_EQ(std::get<DirectionSettled>(step.changes.at(0)).reason, "node 1 is there");
+  EXPECT_TRUE(std::holds_alternative<Survey>(comeTo(0.35, HomingEnd::Lost).command));
 }
 
 TEST(Explorer, IsAtThePlaceLeftWhereNothingIsRecognisedAHandsWidthOff)
@@ -207,6 +235,7 @@ TEST(Explorer, RemembersWhichPlacesOnlyLookAlike)
   step.state.phase = ExplorerState::Phase::Homing;
   step.state.retries = ExplorerOptions{}.homingTries - 1;
   step = explorer.next(step.state, at.map, Homed{HomingEnd::Lost, {1.0, 1.0, 0.0, kPi}});
+  step = explorer.next(step.state, at.map, Recognised{{zero}});
   ASSERT_TRUE(std::holds_alternative<Survey>(step.command));
   step = explorer.next(step.state, at.map, Surveyed{{{0.0, 1.0, 3.0}}, {1.0, 1.0, 0.0, kPi}});
   for (const MapChange &change : step.changes) {
@@ -261,6 +290,7 @@ TEST(Explorer, ComesBackFromADriveThatNoEdgeCanStandForAndGivesUpTheSecondTime)
     step.state.target = NodeId{1};
     step.state.retries = ExplorerOptions{}.homingTries - 1;
     step = explorer.next(step.state, at.map, Homed{HomingEnd::TimedOut, far});
+    step = explorer.next(step.state, at.map, Recognised{});
     ASSERT_TRUE(std::holds_alternative<DriveDirection>(step.command)); // by odometry first
     step = explorer.next(step.state, at.map, Driven{});
     ASSERT_TRUE(std::holds_alternative<HomeTo>(step.command));

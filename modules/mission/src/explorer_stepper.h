@@ -94,13 +94,14 @@ public:
 
   void classified(const Recognised &report)
   {
-    const PlaceMatch *known = m_whereabouts.placeHere(report.matches, false);
+    const bool more = m_step.state.retries < m_options.homingTries;
+    const PlaceMatch *known = more ? m_whereabouts.placeHere(report.matches, false) : nullptr;
     const bool unsure = known == nullptr;
-    if (unsure) {
+    if (unsure && more) {
       known = m_whereabouts.placeHere(report.matches, true);
     }
     if (known == nullptr) {
-      surveyOrGoBack();
+      surveyOrGoBack(report.matches);
       return;
     }
     if (known->node == m_step.state.origin) {
@@ -124,13 +125,10 @@ public:
       connect(target, report.chord);
       leave(target);
     }
-    else if (++state.retries < m_options.homingTries) {
+    else {
+      ++state.retries;
       state.vain[target] += end == HomingEnd::Lost ? kLooksAlike : 1;
       ask(Phase::Classifying, Recognise{});
-    }
-    else {
-      ++state.vain[target];
-      surveyOrGoBack();
     }
   }
 
@@ -251,10 +249,13 @@ private:
   void survey() { ask(Phase::Surveying, Survey{}); }
 
   /** A place that no edge would lead to is none, nor is one where another stands. */
-  void surveyOrGoBack()
+  void surveyOrGoBack(const std::vector<PlaceMatch> &matches)
   {
     ExplorerState &state = m_step.state;
-    const auto there = m_whereabouts.crowding();
+    auto there = m_whereabouts.crowding();
+    if (!there) {
+      there = m_whereabouts.outOfReach(matches);
+    }
     if (there) {
       settle(DirectionState::Closed, "node " + std::to_string(there->value) + " is there");
     }

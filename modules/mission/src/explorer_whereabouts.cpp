@@ -111,6 +111,15 @@ std::optional<NodeId> ExplorerWhereabouts::crowding() const
   return nearest;
 }
 
+std::optional<NodeId> ExplorerWhereabouts::outOfReach(const std::vector<PlaceMatch> &matches) const
+{
+  const auto match = std::find_if(matches.begin(), matches.end(), [&](const PlaceMatch &seen) {
+    return seen.verified && seen.node != m_state.origin && tooOftenInVain(seen.node) &&
+           !onlyLooksLike(seen.node) && plausible(seen.node, m_options.crowded());
+  });
+  return match != matches.end() ? std::optional(match->node) : std::nullopt;
+}
+
 bool ExplorerWhereabouts::onlyLooksLike(NodeId node) const
 {
   if (!m_state.origin || m_state.chord.distance > m_options.rightHere) {

@@ -44,6 +44,9 @@ public:
   /** The node too near to the robot, by ways short enough to tell, for a new one here. */
   std::optional<NodeId> crowding() const;
 
+  /** What the view surely shows and the ways allow to be crowding, but was homed to in vain. */
+  std::optional<NodeId> outOfReach(const std::vector<PlaceMatch> &matches) const;
+
   /** Whether the robot stands beside the place left, which is known only to look like the node. */
   bool onlyLooksLike(NodeId node) const;
 

@@ -111,9 +111,9 @@ struct ExplorerOptions
  * | Surveying   | Surveyed   | node, edge to the node left; then leave the node                      |
  * | Driving     | Driven     | Classifying; home to the node left when blocked at once               |
  * | Classifying | Recognised | Homing to the verified place; Surveying when there is none            |
- * | Homing      | Homed      | arrived: edge, leave the node; else Classifying once, then Surveying  |
- * |             |            | where an edge can be made and no node stands by the ways, else        |
- * |             |            | Returning to the node left                                            |
+ * | Homing      | Homed      | arrived: edge, leave the node; else Classifying anew, in the end      |
+ * |             |            | Surveying where an edge can be made and no node stands by the ways or |
+ * |             |            | by sure sight, else Returning to the node left                        |
  * | Following   | Homed      | arrived: next leg, leave the last node; else Relocating               |
  * | Striding    | Driven     | Following the same leg, from where it stands now                      |
  * | Relocating  | Recognised | Returning to the best place; Retreating once when there is none; then |
