@@ -127,9 +127,11 @@ const std::string kProgram = "homeward ";
 void prepare(const Folder &folder)
 {
   const SyntheticRoom room(3, 10.0, 7.0);
+  constexpr int kPlaces = 13; // node 12 is spoken of
   std::vector<Pose2> places;
-  for (int i = 0; i < 13; ++i) { // node 12 is spoken of
-    places.emplace_back(-3.0 + 0.5 * i, i % 2 == 0 ? 1.0 : -1.0, 0.4 * i);
+  places.reserve(kPlaces);
+  for (int i = 0; i < kPlaces; ++i) {
+    places.push_back({-3.0 + 0.5 * i, i % 2 == 0 ? 1.0 : -1.0, 0.4 * i});
   }
   writeRoomMap(folder / "house.hwm", room, places);
   fs::copy_file(folder / "house.hwm", folder / "lab.hwm");
