@@ -3,6 +3,7 @@
 
 #include "mission_robot.h"
 #include "mission_setup.h"
+#include "mission_viewer.h"
 
 #include <string>
 
@@ -18,6 +19,7 @@ struct ExploreArguments
   bool overwrite = false;
   bool resume = false;
   bool verbose = false;
+  ViewArguments view;
   std::string json;
 };
 

@@ -34,17 +34,21 @@ public:
         m_robot(makeMissionRobot(arguments.robot,
                                  m_before ? std::optional(m_before->end) : std::nullopt,
                                  mission(arguments))),
-        m_devices(m_robot->devices()), m_begin(m_robot->watch()),
         m_pilotOptions(
             explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
-        m_file(openFile()), m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera,
-                                    m_pilotOptions, stopSignal())
+        m_viewer(openViewer()), m_devices(m_viewer ? m_viewer->devices() : m_robot->devices()),
+        m_begin(m_robot->watch()), m_file(openFile()),
+        m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera, m_pilotOptions,
+                stopSignal())
   {
     if (const std::optional<SimulatedWorld> world = m_robot->world()) {
       beginTruth(*world);
     }
-    if (arguments.verbose) {
+    if (arguments.verbose || m_viewer) {
       m_pilot.trace = [this](const std::string &line) { say(line); };
+    }
+    if (m_viewer) {
+      m_viewer->watch(m_pilot);
     }
     m_pilot.onView = [this] { followView(); };
     rememberAll(m_file, m_pilot);
@@ -204,9 +208,22 @@ private:
                      {"duplicate_nodes", judged.duplicateNodes}};
   }
 
+  std::unique_ptr<MissionViewer> openViewer()
+  {
+    return m_arguments.view.any() ? std::make_unique<MissionViewer>(m_arguments.view, *m_robot,
+                                                                    m_pilotOptions.directions)
+                                  : nullptr;
+  }
+
   /** A line for whoever looks for the reason of something, with when and where it was. */
   void say(const std::string &line) const
   {
+    if (m_viewer) {
+      m_viewer->say(line);
+    }
+    if (!m_arguments.verbose) {
+      return;
+    }
     std::string where;
     if (const std::optional<Truth> truth = m_robot->truth()) {
       char text[120];
@@ -226,6 +243,9 @@ private:
     }
     std::fflush(stdout);
     m_robot->note({{"event", "step"}, {"lines", step.log}});
+    if (m_viewer) {
+      m_viewer->step(m_file.map(), m_truth.nodes, wayOf(step.state), commandWords(step.command));
+    }
     if (const std::optional<Truth> truth = m_robot->truth()) {
       m_truth.path.push_back(truth->pose.translation());
       saveTruth(truth->pose);
@@ -233,6 +253,19 @@ private:
     showProgress(std::string(timeName()) + " " + std::to_string(std::lround(seconds())) +
                  " s, nodes " + std::to_string(m_file.map().nodes().size()) + ", open directions " +
                  std::to_string(m_file.map().openDirectionCount()));
+  }
+
+  /** The nodes that it goes by, from the one it left on. */
+  static std::vector<NodeId> wayOf(const ExplorerState &state)
+  {
+    std::vector<NodeId> way = state.route;
+    if (state.target && way.empty()) {
+      way.push_back(*state.target);
+    }
+    if (state.origin && !way.empty()) {
+      way.insert(way.begin(), *state.origin);
+    }
+    return way;
   }
 
   /** Known and on disk before the node that is made of the view: a crash leaves none without. */
@@ -257,9 +290,10 @@ private:
   const ExploreArguments &m_arguments;
   std::optional<TruthLog> m_before;
   std::unique_ptr<MissionRobot> m_robot;
+  PilotOptions m_pilotOptions;
+  std::unique_ptr<MissionViewer> m_viewer; ///< null: nobody looks on
   Devices m_devices;
   Time m_begin;
-  PilotOptions m_pilotOptions;
   MapFile m_file;
   Pilot m_pilot;
   TruthLog m_truth;
@@ -299,6 +333,7 @@ void addExploreCommand(CliCommand app)
   command.flag("--resume", arguments->resume, "Go on with an existing map");
   command.flag("--verbose", arguments->verbose,
                "Print every decision, and where the robot truly is");
+  addViewOptions(command, arguments->view);
   command.json(arguments->json, "a summary");
   command.run([arguments] { return explore(*arguments); });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mission_robot.h"
+#include "mission_viewer.h"
 
 #include <cstdint>
 #include <string>
@@ -22,6 +23,7 @@ struct NavigateArguments
   bool refresh = false;
   bool overwrite = false; ///< of a replay, which writes the map that it refreshes anew; no option
   bool verbose = false;
+  ViewArguments view;
   std::string json;
 };
 

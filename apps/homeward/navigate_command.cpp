@@ -292,14 +292,25 @@ int navigate(const NavigateArguments &arguments)
   const PilotOptions options =
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
-  const Devices devices = robot->devices();
+  const auto viewer = arguments.view.any() ? std::make_unique<MissionViewer>(arguments.view, *robot,
+                                                                             options.directions)
+                                           : nullptr;
+  const Devices devices = viewer ? viewer->devices() : robot->devices();
   const Time start = robot->watch();
   const auto seconds = [&] { return toSeconds(robot->watch() - start); };
   Pilot pilot(devices, robot->files().robot, robot->files().camera, options, stopSignal());
-  if (arguments.verbose) {
+  if (arguments.verbose || viewer) {
     pilot.trace = [&](const std::string &line) {
-      std::printf("  # %.1f s %s\n", seconds(), line.c_str());
+      if (viewer) {
+        viewer->say(line);
+      }
+      if (arguments.verbose) {
+        std::printf("  # %.1f s %s\n", seconds(), line.c_str());
+      }
     };
+  }
+  if (viewer) {
+    viewer->watch(pilot);
   }
   Navigation navigation(file, pilot, devices.clock, arguments.refresh ? &file : nullptr);
   navigation.onStep = [&](const Step<NavigatorState> &step) {
@@ -309,6 +320,10 @@ int navigate(const NavigateArguments &arguments)
     }
     std::fflush(stdout);
     robot->note({{"event", "step"}, {"lines", step.log}});
+    if (viewer) {
+      viewer->step(navigation.map(), log ? log->nodes : std::map<NodeId, Pose2>{}, step.state.route,
+                   commandWords(step.command));
+    }
     showProgress("robot time " + std::to_string(std::lround(seconds())) + " s");
   };
   const std::vector<NavigationGoal> goals =
@@ -365,6 +380,7 @@ void addNavigateCommand(CliCommand app)
   command.flag("--refresh", arguments->refresh,
                "Keep how ways went, and new pictures of goals that look otherwise now, in the map");
   command.flag("--verbose", arguments->verbose, "Print every decision");
+  addViewOptions(command, arguments->view);
   command.json(arguments->json, "a summary");
   command.run([arguments] { return navigate(*arguments); });
 }

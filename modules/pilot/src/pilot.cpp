@@ -241,7 +241,11 @@ Report Pilot::run(const DriveDirection &command)
 Report Pilot::run(const Recognise &)
 {
   m_motion.stop();
-  Recognised report{m_places.recognise(look())};
+  const Panorama view = look();
+  Recognised report{m_places.recognise(view)};
+  if (onSight) {
+    onSight({view, std::nullopt, std::nullopt, report.matches});
+  }
   if (trace) {
     std::string line = "recognise";
     for (std::size_t i = 0; i < std::min<std::size_t>(report.matches.size(), 3); ++i) {
@@ -265,17 +269,22 @@ Report Pilot::run(const HomeTo &command)
   how.arrivedProxy = command.closely ? how.closeProxy : how.arrivedProxy;
   how.retreatsOnWay = command.again ? 0 : how.retreatsOnWay;
   how.timeoutSeconds = command.patience.value_or(how.timeoutSeconds);
-  HomingRun homing(m_motion, servo, how,
-                   [this, &snapshot](const cv::Mat &picture) -> std::optional<HomeVector> {
-                     Panorama current = m_unwarper.unwarp(picture);
-                     if (current.image.channels() == 3) {
-                       cv::cvtColor(current.image, current.image, cv::COLOR_BGR2GRAY);
-                     }
-                     if (overExposed(current.image)) {
-                       return std::nullopt;
-                     }
-                     return m_homing->compute(current, snapshot);
-                   });
+  HomingRun homing(
+      m_motion, servo, how,
+      [this, &snapshot, node = command.node](const cv::Mat &picture) -> std::optional<HomeVector> {
+        Panorama current = m_unwarper.unwarp(picture);
+        if (current.image.channels() == 3) {
+          cv::cvtColor(current.image, current.image, cv::COLOR_BGR2GRAY);
+        }
+        std::optional<HomeVector> home;
+        if (!overExposed(current.image)) {
+          home = m_homing->compute(current, snapshot);
+        }
+        if (onSight) {
+          onSight({current, node, home, {}});
+        }
+        return home;
+      });
   const double travelledBefore = m_motion.travelled();
   const Time begin = m_motion.devices().clock.now();
   std::optional<double> oDeparture;

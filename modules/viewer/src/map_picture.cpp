@@ -95,7 +95,7 @@ public:
     drawWays(canvas);
     if (m_picture->robot && m_metric) {
       drawRobot(canvas, pixel(m_picture->robot->translation()), m_picture->robot->heading,
-                std::max(16.0, 0.5 * m_scale));
+                std::max(30.0, 0.5 * m_scale));
     }
     drawNodes(canvas);
     drawTitle(canvas);
@@ -129,6 +129,9 @@ private:
     if (m_metric) {
       for (const Eigen::Vector2d &point : m_picture->trajectory) {
         m_extent.hold(point, 0.3);
+      }
+      if (m_picture->robot) {
+        m_extent.hold(m_picture->robot->translation(), 0.5);
       }
     }
     if (m_extent.low.x() > m_extent.high.x()) {

@@ -29,6 +29,15 @@ struct PilotOptions
   double leastSure = 0.9; ///< probability of standing at a node below which it was not reached
 };
 
+/** What the pilot sees, for people who look on. */
+struct Sighting
+{
+  Panorama view;                   ///< gray
+  std::optional<NodeId> goal;      ///< the node that it drives home to
+  std::optional<HomeVector> home;  ///< from here to the goal; nothing when sight says nothing
+  std::vector<PlaceMatch> matches; ///< places that the view may show, best first
+};
+
 /**
  * Carries out commands with sensors and wheels and says how it went. Single-threaded but for one
  * perception worker; safety and base run at every tick and never wait for it.
@@ -72,6 +81,10 @@ public:
 
   /** Called with every drive, homing and place decision, for logs; may be empty. */
   std::function<void(const std::string &)> trace;
+
+  /** Called with every view that something is decided by, while it drives home from the thread of
+   * its perception; may be empty. */
+  std::function<void(const Sighting &)> onSight;
 
   /** Called when a Survey has taken its picture, before the robot turns; may be empty. */
   std::function<void()> onView;

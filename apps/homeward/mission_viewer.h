@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mission_robot.h"
+
+#include <homeward/mission/command.h>
+#include <homeward/pilot/pilot.h>
+#include <homeward/viewer/mission_picture.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace homeward
+{
+
+/** How a mission is shown. */
+struct ViewArguments
+{
+  bool windows = false; ///< of ViSP
+  std::string video;    ///< file; empty: none
+
+  bool any() const { return windows || !video.empty(); }
+};
+
+/** `--view` and `--video`. */
+void addViewOptions(CliCommand command, ViewArguments &arguments);
+
+/** What the robot does to carry out a command, in words. */
+std::string commandWords(const Command &command);
+
+/**
+ * Shows a mission while it runs, in windows or as a video, drawn by a thread of its own. Of a robot
+ * that runs by itself pictures are left out rather than waited for; simulated time waits for every
+ * one.
+ */
+class MissionViewer
+{
+public:
+  /** What it shows at once and what it then looks at. @throw ConfigError when the windows or the
+   * video cannot be opened */
+  MissionViewer(const ViewArguments &arguments, MissionRobot &robot,
+                const OpenDirectionOptions &directions);
+  ~MissionViewer();
+
+  /** The robot's, for the mission to use. */
+  Devices devices();
+
+  /** Looks on as it decides; before its first command. */
+  void watch(Pilot &pilot);
+
+  /** A line on what was decided, and why. */
+  void say(const std::string &line);
+
+  /**
+   * The mission has taken a step.
+   * @param poses true ones of the nodes; empty where nobody knows
+   * @param route the nodes on its way
+   */
+  void step(const TopologicalMap &map, const std::map<NodeId, Pose2> &poses,
+            const std::vector<NodeId> &route, const std::string &state);
+
+private:
+  class Screen;
+  class Watched;
+  std::unique_ptr<Screen> m_screen;
+  std::unique_ptr<Watched> m_watched;
+};
+
+} // namespace homeward
