@@ -22,6 +22,7 @@ void addEvaluateCommand(CliCommand app);
 void addMapNodeCommand(CliCommand map);
 void addMapEditCommand(CliCommand map);
 void addMapMergeCommand(CliCommand map);
+void addMapServeCommand(CliCommand map);
 
 /** Each adds its command of `evaluate`. */
 void addEvaluateHomingCommand(CliCommand evaluate);

@@ -12,6 +12,7 @@
 #include <homeward/evaluation/truth_log.h>
 #include <homeward/mission/explorer.h>
 #include <homeward/record/replayed_devices.h>
+#include <homeward/run/navigation.h>
 #include <homeward/run/run_mission.h>
 
 #include <nlohmann/json.hpp>
@@ -36,10 +37,11 @@ public:
                                  mission(arguments))),
         m_pilotOptions(
             explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
+        m_dashboard(openDashboard(arguments.view, arguments.robot.replay.empty())),
         m_viewer(openViewer()), m_devices(m_viewer ? m_viewer->devices() : m_robot->devices()),
         m_begin(m_robot->watch()), m_file(openFile()),
         m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera, m_pilotOptions,
-                stopSignal())
+                m_dashboard ? m_dashboard->halt() : stopSignal())
   {
     if (const std::optional<SimulatedWorld> world = m_robot->world()) {
       beginTruth(*world);
@@ -59,6 +61,9 @@ public:
   {
     Finish finish = exploreOn();
     endProgress();
+    if (m_dashboard) {
+      serve(finish);
+    }
     m_file.close();
     return finish;
   }
@@ -114,6 +119,42 @@ private:
     return {{"command", "explore"},
             {"settings", settingsJson(arguments.settings)},
             {"resume", arguments.resume}};
+  }
+
+  /** Does what is wanted at the page until Ctrl-C. @param finish of the exploration */
+  void serve(Finish &finish)
+  {
+    std::string words = std::string(name(finish.outcome)) + ": " + finish.reason;
+    while (true) {
+      std::printf("%s; Ctrl-C ends the page\n", words.c_str());
+      std::fflush(stdout);
+      const bool resumable = finish.outcome == Outcome::Stopped && m_arguments.robot.replay.empty();
+      const NextDrive next = m_dashboard->await(m_file, words, resumable);
+      if (next.kind == NextDrive::Kind::End) {
+        return;
+      }
+      if (next.kind == NextDrive::Kind::Resume) {
+        finish = exploreOn();
+        words = std::string(name(finish.outcome)) + ": " + finish.reason;
+      }
+      else {
+        words = driveTo(next.goal);
+      }
+      endProgress();
+    }
+  }
+
+  /** Through the map as it is by now. @return how it went */
+  std::string driveTo(NodeId goal)
+  {
+    Navigation navigation(m_file, m_pilot, m_devices.clock);
+    navigation.onStep = [&](const Step<NavigatorState> &step) {
+      show(step.log, step.state.route, step.command);
+    };
+    const double patience = m_arguments.settings.maxTime;
+    const GoalReport report = runOperated(*m_robot, m_operator.get(), m_arguments.robot,
+                                          [&] { return navigation.driveTo(goal, patience); });
+    return std::string(name(report.outcome)) + ": " + report.reason;
   }
 
   Finish exploreOn()
@@ -210,9 +251,10 @@ private:
 
   std::unique_ptr<MissionViewer> openViewer()
   {
-    return m_arguments.view.any() ? std::make_unique<MissionViewer>(m_arguments.view, *m_robot,
-                                                                    m_pilotOptions.directions)
-                                  : nullptr;
+    return m_arguments.view.any()
+               ? std::make_unique<MissionViewer>(m_arguments.view, *m_robot,
+                                                 m_pilotOptions.directions, m_dashboard.get())
+               : nullptr;
   }
 
   /** A line for whoever looks for the reason of something, with when and where it was. */
@@ -235,17 +277,27 @@ private:
     std::printf("  # %.1f s%s: %s\n", seconds(), where.c_str(), line.c_str());
   }
 
-  void follow(const Step<ExplorerState> &step)
+  /** To all who look on. */
+  void show(const std::vector<std::string> &log, const std::vector<NodeId> &way,
+            const Command &command)
   {
     endProgress();
-    for (const std::string &line : step.log) {
+    for (const std::string &line : log) {
       std::printf("%s\n", line.c_str());
     }
     std::fflush(stdout);
-    m_robot->note({{"event", "step"}, {"lines", step.log}});
     if (m_viewer) {
-      m_viewer->step(m_file.map(), m_truth.nodes, wayOf(step.state), commandWords(step.command));
+      m_viewer->step(m_file.map(), m_truth.nodes, way, commandWords(command));
     }
+    if (m_dashboard) {
+      m_dashboard->follow(m_file, log);
+    }
+  }
+
+  void follow(const Step<ExplorerState> &step)
+  {
+    m_robot->note({{"event", "step"}, {"lines", step.log}});
+    show(step.log, wayOf(step.state), step.command);
     if (const std::optional<Truth> truth = m_robot->truth()) {
       m_truth.path.push_back(truth->pose.translation());
       saveTruth(truth->pose);
@@ -291,6 +343,7 @@ private:
   std::optional<TruthLog> m_before;
   std::unique_ptr<MissionRobot> m_robot;
   PilotOptions m_pilotOptions;
+  std::unique_ptr<Dashboard> m_dashboard;  ///< null: no browser looks on
   std::unique_ptr<MissionViewer> m_viewer; ///< null: nobody looks on
   Devices m_devices;
   Time m_begin;

@@ -199,6 +199,7 @@ void addMapCommand(CliCommand app)
   addMapNodeCommand(map);
   addMapEditCommand(map);
   addMapMergeCommand(map);
+  addMapServeCommand(map);
 }
 
 } // namespace homeward

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mission_viewer.h"
 
+#include "stop_signal.h"
 #include "view_window.h"
 
 #include <homeward/core/error.h>
@@ -22,12 +23,12 @@ constexpr double kPeriod = 0.5; // seconds of robot time from one picture to the
 constexpr double kRate = 25.0;  // pictures a second in the video
 constexpr double kKept = 30.0;  // seconds that the speeds go back
 
-/** Where the scenes go: windows and a video. Used by one thread at a time. */
+/** Where the scenes go: windows, a video, a page. Used by one thread at a time. */
 class Picturing
 {
 public:
-  explicit Picturing(const ViewArguments &arguments)
-      : m_windowed(arguments.windows), m_file(arguments.video)
+  Picturing(const ViewArguments &arguments, Dashboard *dashboard)
+      : m_windowed(arguments.windows), m_file(arguments.video), m_dashboard(dashboard)
   {
     const MissionScene nothingYet;
     if (!m_file.empty()) {
@@ -57,6 +58,9 @@ public:
     if (m_video.isOpened()) {
       m_video.write(missionImage(scene));
     }
+    if (m_dashboard != nullptr) {
+      m_dashboard->show(scene);
+    }
   }
 
 private:
@@ -74,6 +78,7 @@ private:
 
   bool m_windowed;
   std::string m_file;
+  Dashboard *m_dashboard;
   std::vector<std::unique_ptr<ViewWindow>> m_windows;
   cv::VideoWriter m_video;
 };
@@ -85,9 +90,11 @@ class MissionViewer::Screen
 {
 public:
   Screen(const ViewArguments &arguments, MissionRobot &robot,
-         const OpenDirectionOptions &directions)
-      : m_robot(robot), m_directions(directions), m_waits(!robot.runsByItself()),
-        m_begin(robot.watch()), m_due(m_begin), m_picturing(arguments), m_thread([this] { draw(); })
+         const OpenDirectionOptions &directions, Dashboard *dashboard)
+      : m_robot(robot), m_directions(directions), m_dashboard(dashboard),
+        m_waits(!robot.runsByItself() && (arguments.windows || !arguments.video.empty())),
+        m_begin(robot.watch()), m_due(m_begin), m_picturing(arguments, dashboard),
+        m_thread([this] { draw(); })
   {}
 
   ~Screen()
@@ -114,6 +121,9 @@ public:
   /** The base was told something: a tick of the control loop. */
   void tick(const Twist2 &told)
   {
+    if (m_dashboard != nullptr && stopSignal()) {
+      m_dashboard->pause();
+    }
     const Time now = m_robot.watch();
     update([&](MissionScene &scene) {
       scene.seconds = toSeconds(now - m_begin);
@@ -188,6 +198,7 @@ private:
 
   MissionRobot &m_robot;
   OpenDirectionOptions m_directions;
+  Dashboard *m_dashboard;
   bool m_waits; ///< for every picture
   Time m_begin;
   Time m_due;
@@ -266,6 +277,19 @@ void addViewOptions(CliCommand command, ViewArguments &arguments)
                "Show in windows what the robot sees, its map and how it drives");
   command.option("--video", arguments.video,
                  "Write the same as a video, .mp4 or .avi; each second of it is 12.5 s");
+  command.option("--serve", arguments.serve,
+                 "[HOST:]PORT of a page that shows it in browsers and takes commands; 0: any port");
+}
+
+std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments, bool drives)
+{
+  if (arguments.serve.empty()) {
+    return nullptr;
+  }
+  auto dashboard = std::make_unique<Dashboard>(arguments.serve, drives);
+  std::printf("open %s\n", dashboard->url().c_str());
+  std::fflush(stdout);
+  return dashboard;
 }
 
 std::string commandWords(const Command &command)
@@ -288,8 +312,8 @@ std::string commandWords(const Command &command)
 }
 
 MissionViewer::MissionViewer(const ViewArguments &arguments, MissionRobot &robot,
-                             const OpenDirectionOptions &directions)
-    : m_screen(std::make_unique<Screen>(arguments, robot, directions)),
+                             const OpenDirectionOptions &directions, Dashboard *dashboard)
+    : m_screen(std::make_unique<Screen>(arguments, robot, directions, dashboard)),
       m_watched(std::make_unique<Watched>(robot.devices(), *m_screen))
 {}
 

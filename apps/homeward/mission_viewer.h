@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dashboard.h"
 #include "mission_robot.h"
 
 #include <homeward/mission/command.h>
@@ -19,28 +20,35 @@ struct ViewArguments
 {
   bool windows = false; ///< of ViSP
   std::string video;    ///< file; empty: none
+  std::string serve;    ///< [HOST:]PORT of a page; empty: none
 
-  bool any() const { return windows || !video.empty(); }
+  bool any() const { return windows || !video.empty() || !serve.empty(); }
 };
 
-/** `--view` and `--video`. */
+/** `--view`, `--video` and `--serve`. */
 void addViewOptions(CliCommand command, ViewArguments &arguments);
 
 /** What the robot does to carry out a command, in words. */
 std::string commandWords(const Command &command);
 
+/** The page of a mission, its address printed; null where none is wanted. @throw ConfigError */
+std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments, bool drives);
+
 /**
- * Shows a mission while it runs, in windows or as a video, drawn by a thread of its own. Of a robot
- * that runs by itself pictures are left out rather than waited for; simulated time waits for every
- * one.
+ * Shows a mission while it runs, in windows, as a video or in browsers, drawn by a thread of its
+ * own. Of a robot that runs by itself pictures are left out rather than waited for; simulated time
+ * waits for every one of a window or a video.
  */
 class MissionViewer
 {
 public:
-  /** What it shows at once and what it then looks at. @throw ConfigError when the windows or the
-   * video cannot be opened */
+  /**
+   * What it shows at once and what it then looks at.
+   * @param dashboard null: nobody looks on from a browser; paused when Ctrl-C is pressed
+   * @throw ConfigError when the windows or the video cannot be opened
+   */
   MissionViewer(const ViewArguments &arguments, MissionRobot &robot,
-                const OpenDirectionOptions &directions);
+                const OpenDirectionOptions &directions, Dashboard *dashboard);
   ~MissionViewer();
 
   /** The robot's, for the mission to use. */

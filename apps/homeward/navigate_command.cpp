@@ -20,6 +20,7 @@
 #include <chrono>
 #include <cstdio>
 #include <deque>
+#include <functional>
 #include <memory>
 
 namespace homeward
@@ -57,7 +58,7 @@ std::optional<Pose2> startPose(const NavigateArguments &arguments,
 /** What became of one drive, and how far from its goal the robot stood if somebody knows. */
 struct Visit
 {
-  const NavigationGoal *goal;
+  NavigationGoal goal;
   GoalReport report;
   std::optional<Pose2> robot; ///< true, at the end
   std::optional<Pose2> place; ///< true, of the goal
@@ -104,16 +105,16 @@ nlohmann::json pathJson(const GoalReport &report, const TopologicalMap &map)
 
 nlohmann::json visitJson(const Visit &visit, const TopologicalMap &map)
 {
-  nlohmann::json json{{"goal", visit.goal->word},
-                      {"node", visit.goal->node.value},
+  nlohmann::json json{{"goal", visit.goal.word},
+                      {"node", visit.goal.node.value},
                       {"outcome", name(visit.report.outcome)},
                       {"reason", visit.report.reason},
                       {"sim_time_s", visit.report.seconds},
                       {"path", pathJson(visit.report, map)},
                       {"refreshed", visit.report.refreshed}};
-  if (visit.goal->shown) {
-    json["node"] = visit.goal->shown->node.value;
-    json["probability"] = visit.goal->shown->probability;
+  if (visit.goal.shown) {
+    json["node"] = visit.goal.shown->node.value;
+    json["probability"] = visit.goal.shown->probability;
   }
   if (visit.robot) {
     json["true_x_m_y_m_heading_rad"] = {visit.robot->x, visit.robot->y, visit.robot->heading};
@@ -180,7 +181,7 @@ Visits visitInTurn(const NavigateArguments &arguments, const std::vector<Navigat
   Visits visits;
   for (int round = 0; arguments.repeat == 0 || round < arguments.repeat; ++round) {
     for (const NavigationGoal &goal : goals) {
-      Visit visit{&goal, driveTo(goal.node), {}, {}};
+      Visit visit{goal, driveTo(goal.node), {}, {}};
       endProgress();
       if (const std::optional<Truth> truth = robot.truth()) {
         visit.robot = truth->pose;
@@ -196,6 +197,30 @@ Visits visitInTurn(const NavigateArguments &arguments, const std::vector<Navigat
     }
   }
   return visits;
+}
+
+/**
+ * Does what is wanted at the page until Ctrl-C.
+ * @param drive to a goal, or to all that were given once more
+ */
+void serve(Dashboard &dashboard, MapFile &file, bool replayed, Visits &visits,
+           const std::function<Visits(std::optional<NodeId> goal)> &drive)
+{
+  while (true) {
+    const GoalReport &last = visits.kept.back().report;
+    const std::string words = std::string(name(last.outcome)) + ": " + last.reason;
+    std::printf("%s; Ctrl-C ends the page\n", words.c_str());
+    std::fflush(stdout);
+    const bool resumable = last.outcome == Outcome::Stopped && !replayed;
+    const NextDrive next = dashboard.await(file, words, resumable);
+    if (next.kind == NextDrive::Kind::End) {
+      return;
+    }
+    const bool goes = next.kind == NextDrive::Kind::GoTo;
+    for (const Visit &visit : drive(goes ? std::optional(next.goal) : std::nullopt).kept) {
+      visits.add(visit);
+    }
+  }
 }
 
 /** The outcome of all visits as that of one: what the JSON of a navigation says. */
@@ -257,8 +282,9 @@ MapFile openMap(const NavigateArguments &arguments)
                                                                    : MapFile::IfExists::Refuse)
                              : std::move(before);
   }
-  MapFile file = MapFile::open(arguments.map, arguments.refresh ? MapFile::Access::ReadWrite
-                                                                : MapFile::Access::Read);
+  const bool changes = arguments.refresh || !arguments.view.serve.empty();
+  MapFile file =
+      MapFile::open(arguments.map, changes ? MapFile::Access::ReadWrite : MapFile::Access::Read);
   if (!arguments.robot.record.file.empty()) {
     keepMapBefore(file, arguments.robot.record.file);
   }
@@ -292,13 +318,16 @@ int navigate(const NavigateArguments &arguments)
   const PilotOptions options =
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
-  const auto viewer = arguments.view.any() ? std::make_unique<MissionViewer>(arguments.view, *robot,
-                                                                             options.directions)
-                                           : nullptr;
+  const auto dashboard = openDashboard(arguments.view, arguments.robot.replay.empty());
+  const auto viewer = arguments.view.any()
+                          ? std::make_unique<MissionViewer>(arguments.view, *robot,
+                                                            options.directions, dashboard.get())
+                          : nullptr;
   const Devices devices = viewer ? viewer->devices() : robot->devices();
   const Time start = robot->watch();
   const auto seconds = [&] { return toSeconds(robot->watch() - start); };
-  Pilot pilot(devices, robot->files().robot, robot->files().camera, options, stopSignal());
+  Pilot pilot(devices, robot->files().robot, robot->files().camera, options,
+              dashboard ? dashboard->halt() : stopSignal());
   if (arguments.verbose || viewer) {
     pilot.trace = [&](const std::string &line) {
       if (viewer) {
@@ -324,12 +353,29 @@ int navigate(const NavigateArguments &arguments)
       viewer->step(navigation.map(), log ? log->nodes : std::map<NodeId, Pose2>{}, step.state.route,
                    commandWords(step.command));
     }
+    if (dashboard) {
+      dashboard->follow(file, step.log);
+    }
     showProgress("robot time " + std::to_string(std::lround(seconds())) + " s");
   };
   const std::vector<NavigationGoal> goals =
       findGoals(words, navigation, robot->files().camera, file.header().panorama);
   sayWhatPicturesShow(goals);
-  const Visits visits = visitInTurn(arguments, goals, navigation, *robot, log);
+  Visits visits = visitInTurn(arguments, goals, navigation, *robot, log);
+  if (dashboard) {
+    serve(*dashboard, file, !arguments.robot.replay.empty(), visits,
+          [&](std::optional<NodeId> goal) {
+            if (!goal) {
+              return visitInTurn(arguments, goals, navigation, *robot, log);
+            }
+            NavigateArguments once = arguments;
+            once.repeat = 1;
+            Navigation fresh(file, pilot, devices.clock, arguments.refresh ? &file : nullptr);
+            fresh.onStep = navigation.onStep; // through the map as it is by now
+            return visitInTurn(once, {{std::to_string(goal->value), *goal, std::nullopt}}, fresh,
+                               *robot, log);
+          });
+  }
   const bool patrol = goals.size() > 1 || arguments.repeat != 1;
   const Finish finish = conclude(visits, patrol);
   if (patrol) {

@@ -276,7 +276,6 @@ private:
       return *refusal;
     }
     announce();
-    const std::lock_guard lock(m_commanding);
     return m_options.command ? m_options.command(order.command)
                              : PageAnswer{409, "nothing can be done here"};
   }
@@ -322,7 +321,6 @@ private:
   int m_port = 0;
   std::optional<Gate> m_gate;
   EventBoard m_board;
-  std::mutex m_commanding;
   std::atomic<int> m_streams{0};
   std::jthread m_thread; ///< last: it uses all of the above
 };

@@ -48,7 +48,7 @@ struct PageServerOptions
   /** Files that come and go, from the server's threads; may be empty. */
   std::function<std::optional<PageFile>(const std::string &path)> find = {};
 
-  /** Called with every command that passed all checks, one at a time; may be empty. */
+  /** Called with every command that passed all checks, from the server's threads; may be empty. */
   std::function<PageAnswer(const PageCommand &command)> command = {};
 };
 
