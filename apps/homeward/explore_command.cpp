@@ -37,9 +37,9 @@ public:
                                  mission(arguments))),
         m_pilotOptions(
             explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
-        m_dashboard(openDashboard(arguments.view, arguments.robot.replay.empty())),
-        m_viewer(openViewer()), m_devices(m_viewer ? m_viewer->devices() : m_robot->devices()),
-        m_begin(m_robot->watch()), m_file(openFile()),
+        m_dashboard(openDashboard(arguments.view, arguments.robot)), m_viewer(openViewer()),
+        m_devices(m_viewer ? m_viewer->devices() : m_robot->devices()), m_begin(m_robot->watch()),
+        m_file(openFile()),
         m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera, m_pilotOptions,
                 m_dashboard ? m_dashboard->halt() : stopSignal())
   {

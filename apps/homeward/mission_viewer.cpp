@@ -8,6 +8,8 @@
 
 #include <opencv2/videoio.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
@@ -106,6 +108,7 @@ public:
     }
     m_changed.notify_all();
     m_thread.join();
+    saySpent();
   }
 
   Screen(const Screen &) = delete;
@@ -139,6 +142,26 @@ public:
   }
 
   void measured(const Twist2 &twist) { m_measured = twist; }
+
+  /** What looking on took of a tick. */
+  void spent(std::chrono::duration<double, std::milli> time)
+  {
+    constexpr std::size_t kMost = 1000000;
+    if (m_spent.size() < kMost) {
+      m_spent.push_back(static_cast<float>(time.count()));
+    }
+  }
+
+  /** Says what looking on took of the ticks of a robot that waits for nobody. */
+  void saySpent()
+  {
+    if (m_waits || m_spent.empty()) {
+      return;
+    }
+    std::sort(m_spent.begin(), m_spent.end());
+    std::printf("looking on took %.3f ms of 99 %% of %zu ticks, at most %.3f ms\n",
+                m_spent[m_spent.size() * 99 / 100], m_spent.size(), m_spent.back());
+  }
 
 private:
   /** Hands the scene to the thread. */
@@ -203,6 +226,7 @@ private:
   Time m_begin;
   Time m_due;
   Twist2 m_measured;
+  std::vector<float> m_spent; ///< ms of each tick
   Picturing m_picturing;
   std::mutex m_mutex;
   std::condition_variable m_changed;
@@ -232,7 +256,9 @@ private:
     void drive(const Twist2 &twist) override
     {
       m_base.drive(twist);
+      const auto begin = std::chrono::steady_clock::now();
       m_screen.tick(twist);
+      m_screen.spent(std::chrono::steady_clock::now() - begin);
     }
 
     BaseState state() override
@@ -281,12 +307,17 @@ void addViewOptions(CliCommand command, ViewArguments &arguments)
                  "[HOST:]PORT of a page that shows it in browsers and takes commands; 0: any port");
 }
 
-std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments, bool drives)
+std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments,
+                                         const RobotArguments &robot)
 {
   if (arguments.serve.empty()) {
     return nullptr;
   }
-  auto dashboard = std::make_unique<Dashboard>(arguments.serve, drives);
+  if (!robot.record.file.empty()) {
+    throw ConfigError("--serve and --record exclude each other: what is commanded at the page "
+                      "would not be in the recording");
+  }
+  auto dashboard = std::make_unique<Dashboard>(arguments.serve, robot.replay.empty());
   std::printf("open %s\n", dashboard->url().c_str());
   std::fflush(stdout);
   return dashboard;

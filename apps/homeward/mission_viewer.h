@@ -31,8 +31,13 @@ void addViewOptions(CliCommand command, ViewArguments &arguments);
 /** What the robot does to carry out a command, in words. */
 std::string commandWords(const Command &command);
 
-/** The page of a mission, its address printed; null where none is wanted. @throw ConfigError */
-std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments, bool drives);
+/**
+ * The page of a mission, its address printed; null where none is wanted.
+ * @throw ConfigError, also where the mission is recorded: what is commanded at the page would not
+ * be in the recording
+ */
+std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments,
+                                         const RobotArguments &robot);
 
 /**
  * Shows a mission while it runs, in windows, as a video or in browsers, drawn by a thread of its

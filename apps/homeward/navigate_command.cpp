@@ -318,7 +318,7 @@ int navigate(const NavigateArguments &arguments)
   const PilotOptions options =
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
-  const auto dashboard = openDashboard(arguments.view, arguments.robot.replay.empty());
+  const auto dashboard = openDashboard(arguments.view, arguments.robot);
   const auto viewer = arguments.view.any()
                           ? std::make_unique<MissionViewer>(arguments.view, *robot,
                                                             options.directions, dashboard.get())

@@ -23,6 +23,7 @@ struct ReplayArguments : DriveMapArguments
   bool buildMap = false;
   bool reindex = false;
   bool verbose = false;
+  ViewArguments view;
 };
 
 int replayExploration(const ReplayArguments &arguments, const nlohmann::json &mission)
@@ -37,6 +38,7 @@ int replayExploration(const ReplayArguments &arguments, const nlohmann::json &mi
   again.resume = mission.at("resume").get<bool>();
   again.overwrite = arguments.overwrite;
   again.verbose = arguments.verbose;
+  again.view = arguments.view;
   again.json = arguments.json;
   return explore(again);
 }
@@ -51,6 +53,7 @@ int replayNavigation(const ReplayArguments &arguments, const nlohmann::json &mis
   again.map = arguments.map;
   again.overwrite = arguments.overwrite;
   again.verbose = arguments.verbose;
+  again.view = arguments.view;
   again.json = arguments.json;
   return navigate(again);
 }
@@ -103,6 +106,7 @@ void addReplayCommand(CliCommand app)
   command.flag("--reindex", arguments->reindex,
                "Repair a bag that was not closed, after a kill for example, and do no more");
   command.flag("--verbose", arguments->verbose, "Print every decision");
+  addViewOptions(command, arguments->view);
   command.json(arguments->json, "a summary");
   command.run([arguments] { return replay(*arguments); });
 }

@@ -37,7 +37,7 @@ function say(words: string, bad: boolean): void {
   answer.textContent = words;
   answer.className = bad ? "shown bad" : "shown";
   clearTimeout(hide);
-  hide = window.setTimeout(() => (answer.className = ""), 6000);
+  hide = window.setTimeout(() => (answer.className = ""), 6000); // the words stay
 }
 
 async function command(name: string, args: object = {}, take = false): Promise<void> {

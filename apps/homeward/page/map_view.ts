@@ -80,9 +80,7 @@ export class MapView {
     const size = Math.max(3, Math.min(radius, this.scale * 0.4));
     const nodes = this.map.nodes.slice(0, this.shown);
     const there = new Set(nodes.map((node) => node.id));
-    this.map.edges.forEach((way, i) => {
-      if (this.births[i] < this.shown && there.has(way.a) && there.has(way.b)) this.drawWay(g, way);
-    });
+    this.drawWays(g, there);
     for (const node of nodes) {
       const [x, y] = this.pixel(node);
       if (x < -50 || y < -50 || x > width + 50 || y > height + 50) continue;
@@ -99,16 +97,27 @@ export class MapView {
     return this.route.some((node, i) => i > 0 && ((this.route[i - 1] === way.a && node === way.b) || (this.route[i - 1] === way.b && node === way.a)));
   }
 
-  private drawWay(g: CanvasRenderingContext2D, way: Way): void {
-    const onRoute = this.onRoute(way);
-    const reliability = (way.successes + 1) / (way.tries + 1);
-    g.strokeStyle = way.forbidden ? colours.ink : onRoute ? colours.route : colours.way;
-    g.lineWidth = onRoute ? 5 : Math.max(0.8, 2.6 * reliability);
-    g.setLineDash(way.forbidden ? [2, 5] : []);
-    g.beginPath();
-    g.moveTo(...this.pixel(this.places.get(way.a)!));
-    g.lineTo(...this.pixel(this.places.get(way.b)!));
-    g.stroke();
+  /** Ways that look alike are one path, as drawing many takes long. */
+  private drawWays(g: CanvasRenderingContext2D, there: Set<number>): void {
+    const paths = new Map<string, { path: Path2D; colour: string; width: number; dash: number[] }>();
+    this.map.edges.forEach((way, i) => {
+      if (this.births[i] >= this.shown || !there.has(way.a) || !there.has(way.b)) return;
+      const onRoute = this.onRoute(way);
+      const reliability = (way.successes + 1) / (way.tries + 1);
+      const colour = way.forbidden ? colours.ink : onRoute ? colours.route : colours.way;
+      const width = onRoute ? 5 : Math.max(0.8, 2.6 * reliability);
+      const key = `${colour} ${width}`;
+      if (!paths.has(key)) paths.set(key, { path: new Path2D(), colour, width, dash: way.forbidden ? [2, 5] : [] });
+      const { path } = paths.get(key)!;
+      path.moveTo(...this.pixel(this.places.get(way.a)!));
+      path.lineTo(...this.pixel(this.places.get(way.b)!));
+    });
+    for (const { path, colour, width, dash } of paths.values()) {
+      g.strokeStyle = colour;
+      g.lineWidth = width;
+      g.setLineDash(dash);
+      g.stroke(path);
+    }
     g.setLineDash([]);
   }
 
