@@ -31,6 +31,7 @@ const std::map<std::string, std::string> kElsewhere{
     {"scripts/test", "runs this test"},
     {"homeward explore ", "minutes: Explore.*, RigTest.ExploresOverSockets, tutorial.11-explore"},
     {"homeward navigate ", "needs an explored map: Explore.*, tutorial.12-navigate"},
+    {"homeward map serve ", "runs until it is stopped: system.dashboard"},
     {"homeward replay ", "needs a recording: Replay.*"},
     {"homeward rig check ", "needs a robot: RigTest.Check*"},
     {"homeward evaluate homing ", "minutes: HomingProgram.evaluatesADataSet..."},
