@@ -37,7 +37,9 @@ public:
                                  mission(arguments))),
         m_pilotOptions(
             explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
-        m_dashboard(openDashboard(arguments.view, arguments.robot)), m_viewer(openViewer()),
+        m_dashboard(openDashboard(arguments.view, arguments.robot)),
+        m_viewer(
+            openViewer(arguments.view, *m_robot, m_pilotOptions.directions, m_dashboard.get())),
         m_devices(m_viewer ? m_viewer->devices() : m_robot->devices()), m_begin(m_robot->watch()),
         m_file(openFile()),
         m_pilot(m_devices, m_robot->files().robot, m_robot->files().camera, m_pilotOptions,
@@ -247,14 +249,6 @@ private:
     json["truth"] = {{"coverage", judged.coverage},
                      {"false_edges", judged.falseEdges},
                      {"duplicate_nodes", judged.duplicateNodes}};
-  }
-
-  std::unique_ptr<MissionViewer> openViewer()
-  {
-    return m_arguments.view.any()
-               ? std::make_unique<MissionViewer>(m_arguments.view, *m_robot,
-                                                 m_pilotOptions.directions, m_dashboard.get())
-               : nullptr;
   }
 
   /** A line for whoever looks for the reason of something, with when and where it was. */

@@ -348,6 +348,14 @@ MissionViewer::MissionViewer(const ViewArguments &arguments, MissionRobot &robot
       m_watched(std::make_unique<Watched>(robot.devices(), *m_screen))
 {}
 
+std::unique_ptr<MissionViewer> openViewer(const ViewArguments &arguments, MissionRobot &robot,
+                                          const OpenDirectionOptions &directions,
+                                          Dashboard *dashboard)
+{
+  return arguments.any() ? std::make_unique<MissionViewer>(arguments, robot, directions, dashboard)
+                         : nullptr;
+}
+
 MissionViewer::~MissionViewer() = default;
 
 Devices MissionViewer::devices()

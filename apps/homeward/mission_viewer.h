@@ -80,4 +80,9 @@ private:
   std::unique_ptr<Watched> m_watched;
 };
 
+/** One for what is asked for; null where nothing is. Throws as its constructor. */
+std::unique_ptr<MissionViewer> openViewer(const ViewArguments &arguments, MissionRobot &robot,
+                                          const OpenDirectionOptions &directions,
+                                          Dashboard *dashboard);
+
 } // namespace homeward

@@ -264,6 +264,29 @@ nlohmann::json summary(const Visits &visits, const Finish &finish, const Topolog
   return json;
 }
 
+/** Says how it went. @return exit status */
+int report(const NavigateArguments &arguments, const Visits &visits, bool patrol,
+           const TopologicalMap &map, MissionRobot &robot, double robotSeconds, double wallSeconds)
+{
+  const Finish finish = conclude(visits, patrol);
+  if (patrol) {
+    std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
+                robotSeconds);
+  }
+  if (arguments.refresh) {
+    std::printf("%d pictures refreshed\n", visits.refreshed);
+  }
+  nlohmann::json json = summary(visits, finish, map, robot);
+  json["sim_time_s"] = robotSeconds;
+  json["wall_time_s"] = wallSeconds;
+  const bool same = robot.finish(json);
+  writeJson(arguments.json, json);
+  if (!arguments.robot.replay.empty()) {
+    return same ? kExitDone : kExitFailed;
+  }
+  return finish.outcome == Outcome::Done ? kExitDone : kExitFailed;
+}
+
 /** What a replay must know. */
 nlohmann::json mission(const NavigateArguments &arguments)
 {
@@ -319,10 +342,7 @@ int navigate(const NavigateArguments &arguments)
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
   const auto dashboard = openDashboard(arguments.view, arguments.robot);
-  const auto viewer = arguments.view.any()
-                          ? std::make_unique<MissionViewer>(arguments.view, *robot,
-                                                            options.directions, dashboard.get())
-                          : nullptr;
+  const auto viewer = openViewer(arguments.view, *robot, options.directions, dashboard.get());
   const Devices devices = viewer ? viewer->devices() : robot->devices();
   const Time start = robot->watch();
   const auto seconds = [&] { return toSeconds(robot->watch() - start); };
@@ -376,25 +396,9 @@ int navigate(const NavigateArguments &arguments)
                                *robot, log);
           });
   }
-  const bool patrol = goals.size() > 1 || arguments.repeat != 1;
-  const Finish finish = conclude(visits, patrol);
-  if (patrol) {
-    std::printf("%s: %s, robot time %.0f s\n", name(finish.outcome), finish.reason.c_str(),
-                seconds());
-  }
-  if (arguments.refresh) {
-    std::printf("%d pictures refreshed\n", visits.refreshed);
-  }
-  nlohmann::json json = summary(visits, finish, file.map(), *robot);
-  json["sim_time_s"] = seconds();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  json["wall_time_s"] = wall.count();
-  const bool same = robot->finish(json);
-  writeJson(arguments.json, json);
-  if (!arguments.robot.replay.empty()) {
-    return same ? kExitDone : kExitFailed;
-  }
-  return finish.outcome == Outcome::Done ? kExitDone : kExitFailed;
+  const bool patrol = goals.size() > 1 || arguments.repeat != 1;
+  return report(arguments, visits, patrol, file.map(), *robot, seconds(), wall.count());
 }
 
 void addNavigateCommand(CliCommand app)

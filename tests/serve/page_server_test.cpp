@@ -301,14 +301,13 @@ TEST_F(Served, WaitsForNobodyWhoDoesNotRead)
 
 TEST_F(Served, EndsAtOnceWhoeverLooksOn)
 {
-  auto short_lived =
-      std::make_unique<PageServer>(PageServerOptions{.address = {}, .token = kToken});
-  RawClient looker(short_lived->port());
-  looker.send("GET /events HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(short_lived->port()) +
+  auto brief = std::make_unique<PageServer>(PageServerOptions{.address = {}, .token = kToken});
+  RawClient looker(brief->port());
+  looker.send("GET /events HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(brief->port()) +
               "\r\n\r\n");
   looker.receive("text/event-stream");
   const auto begin = std::chrono::steady_clock::now();
-  short_lived.reset();
+  brief.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 

@@ -63,10 +63,10 @@ Order parseOrder(const std::string &body)
   }
   const nlohmann::json arguments = json.value("arguments", nlohmann::json::object());
   const nlohmann::json take = json.value("take", nlohmann::json(false));
-  const Order order{json["client"],
-                    json["sequence"],
-                    take.is_boolean() && take.get<bool>(),
-                    {json["command"], arguments.dump()}};
+  Order order{json["client"],
+              json["sequence"],
+              take.is_boolean() && take.get<bool>(),
+              {json["command"], arguments.dump()}};
   if (!arguments.is_object() || !isWord(order.client) || !isWord(order.command.name) ||
       order.sequence < 0) {
     throw wrong;
@@ -99,7 +99,7 @@ std::optional<PageAnswer> Gate::refuseOrder(const Visitor &visitor, const Order 
   if (visitor.origin.empty()) {
     return PageAnswer{403, "no page asked"};
   }
-  if (const auto refusal = refuseGet(visitor, false)) {
+  if (auto refusal = refuseGet(visitor, false)) {
     return refusal;
   }
   const std::lock_guard lock(m_mutex);
