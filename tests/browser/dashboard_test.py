@@ -19,6 +19,7 @@ import time
 
 try:
     from selenium import webdriver
+    from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.chrome.options import Options
@@ -182,10 +183,23 @@ def explore(driver, homeward, world, folder, pictures):
         page.answer("undone: node 0 is the kitchen")
         wait("no name", lambda: page.text("placeTitle") == "Place 0")
 
-        # By mouse: the place with the largest number.
-        at = page.script("""const map = document.getElementById('map').getBoundingClientRect();
-            return [map.left + map.width / 2, map.top + map.height / 2]""")
-        assert at[0] > 0
+        # By mouse: another place.
+        page.press(Keys.ARROW_RIGHT)
+        wait("another place", lambda: page.text("placeTitle") != "Place 0")
+        title = page.text("placeTitle")
+        at = [int(word) for word in page.script("return document.getElementById('map').dataset.chosenAt").split()]
+        page.press(Keys.ARROW_LEFT)
+        page.press(Keys.ARROW_DOWN)
+        wait("a third place", lambda: page.text("placeTitle") != title)
+        canvas = driver.find_element(By.ID, "map")
+        size = canvas.rect
+        ActionChains(driver).move_to_element_with_offset(
+            canvas, at[0] - size["width"] // 2, at[1] - size["height"] // 2).click().perform()
+        wait("the place that was clicked", lambda: page.text("placeTitle") == title)
+        page.click("go")
+        node = title.split()[1]
+        page.answer(f"it drives to node {node}")
+        wait("it arrived", lambda: f"arrived at node {node}" in page.text("words"), 120)
         assert page.nodes() == places
         for width in (1440, 1024, 390):
             page.picture(pictures / f"dashboard-done-{width}.png" if pictures else None, width)

@@ -117,6 +117,19 @@ TEST_F(NavigatorTest, TriesABarredLegOnceMoreWhereNoOtherWayLeadsOn)
   EXPECT_EQ(std::get<Finish>(step.command).outcome, Outcome::Done);
 }
 
+TEST_F(NavigatorTest, SearchesNothingWhenTheOnlyLegStaysBarred)
+{
+  const Navigator navigator({});
+  auto step = navigator.start(map, NodeId{1}, NodeId{0});
+  step = navigator.next(step.state, map, world.execute(step.command));
+  step = navigator.next(step.state, map, Homed{HomingEnd::Blocked, {}});
+  ASSERT_TRUE(std::get<HomeTo>(step.command).again);
+  step = navigator.next(step.state, map, Homed{HomingEnd::Lost, {}}); // beside what bars it
+  ASSERT_TRUE(std::holds_alternative<Finish>(step.command));
+  EXPECT_EQ(std::get<Finish>(step.command).reason,
+            "unreachable: no way from node 0 to node 1; blocked: 0 - 1");
+}
+
 TEST_F(NavigatorTest, SaysWhichLegIsBarredWhenNoOtherWayLeadsOn)
 {
   world.barred = {{{0, 0}, {1, 0}}};

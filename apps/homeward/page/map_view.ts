@@ -91,6 +91,8 @@ export class MapView {
     this.drawScale(g, width, height);
     this.canvas.dataset.drawMs = (performance.now() - start).toFixed(2);
     this.canvas.dataset.nodes = String(nodes.length);
+    const chosen = this.chosen === null ? undefined : this.places.get(this.chosen);
+    this.canvas.dataset.chosenAt = chosen ? this.pixel(chosen).map(Math.round).join(" ") : "";
   }
 
   private onRoute(way: Way): boolean {

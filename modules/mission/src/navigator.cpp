@@ -159,7 +159,8 @@ public:
       if (edge) {
         ++state.failures[edge->id];
       }
-      if (edge && (report.end == HomingEnd::Blocked || report.end == HomingEnd::TimedOut)) {
+      const bool barred = report.end == HomingEnd::Blocked || report.end == HomingEnd::TimedOut;
+      if (edge && (barred || state.blocked.contains(edge->id))) {
         goRound(*edge);
       }
       else {

@@ -72,7 +72,7 @@ struct NavigatorOptions
  * Drives to a node by sight: a pure state machine over (state, map, report). A leg that failed once is
  * driven by its bearing and length first, where the map knows both. A leg that something bars is left
  * out of every plan of this drive; where nothing else leads on it is tried once more, for a moment
- * only from where it was just barred.
+ * only from where it was just barred, and then it is barred however that ends.
  *
  * | phase       | report     | next                                                                |
  * |-------------|------------|---------------------------------------------------------------------|
