@@ -22,8 +22,8 @@ constexpr std::size_t kPeople = 4;
 class RestlessHall
 {
 public:
-  explicit RestlessHall(const Restlessness &restlessness, std::uint64_t seed = 1)
-      : m_simulator(m_scene, testRobot(), testCamera(), start()),
+  explicit RestlessHall(const Restlessness &restlessness, std::uint64_t seed = 1, double y = 3.0)
+      : m_simulator(m_scene, testRobot(), testCamera(), start(y)),
         m_restless(m_simulator, m_scene, restlessness, seed)
   {}
 
@@ -41,10 +41,10 @@ private:
     return share(std::move(scene));
   }
 
-  static SimulatorOptions start()
+  static SimulatorOptions start(double y)
   {
     SimulatorOptions options;
-    options.start = Pose2{2.0, 3.0, 0.0};
+    options.start = Pose2{2.0, y, 0.0};
     return options;
   }
 
@@ -102,6 +102,27 @@ TEST(RestlessWorld, chairsAreMovedAndTheTruthStays)
   EXPECT_GE(hall.restless().moves(), 7);
   EXPECT_LE(hall.restless().moves(), 20);
   EXPECT_EQ(hall.simulator().freeSpace().area(), area);
+}
+
+TEST(RestlessWorld, noChairComesBackToWhereTheRobotStandsByNow)
+{
+  constexpr double kChair = 5.2; // metres; where the chair stood at first
+  int robotsThere = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    RestlessHall hall({.people = 0, .moveFurniture = 0.8, .calm = 40.0}, seed, 3.25);
+    while (hall.restless().moves() == 0) {
+      hall.wait(std::chrono::seconds(1));
+    }
+    const auto x = [&] { return hall.simulator().truth().pose.x; };
+    for (int tick = 0; tick < 90 && x() < kChair; ++tick) {
+      hall.simulator().base().drive({0.4, 0.0});
+      hall.wait(std::chrono::milliseconds(100));
+    }
+    hall.simulator().base().drive({});
+    robotsThere += x() >= kChair ? 1 : 0;
+    EXPECT_NO_THROW(hall.wait(std::chrono::seconds(200))) << "seed " << seed;
+  }
+  EXPECT_GE(robotsThere, 2);
 }
 
 TEST(RestlessWorld, seedDecidesEverything)

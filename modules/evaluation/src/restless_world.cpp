@@ -3,6 +3,7 @@
 
 #include "walkers.h"
 
+#include <homeward/core/error.h>
 #include <homeward/evaluation/changed_scene.h>
 
 #include <utility>
@@ -88,9 +89,23 @@ private:
     ChangedScene changed =
         changeScene(*m_scene, m_simulator.freeSpace(), clear,
                     {.moveFurniture = m_restlessness.moveFurniture}, m_random.bits());
-    m_moved = std::move(changed.moved);
-    m_simulator.change(std::make_shared<const Scene>(std::move(changed.scene)));
-    ++m_moves;
+    if (furnish(std::move(changed.scene))) {
+      m_moved = std::move(changed.moved);
+      ++m_moves;
+    }
+  }
+
+  /** @return false, and all stays as it is, where a chair would come back to where the robot stands
+   * by now */
+  bool furnish(Scene scene)
+  {
+    try {
+      m_simulator.change(std::make_shared<const Scene>(std::move(scene)));
+      return true;
+    }
+    catch (const ConfigError &) {
+      return false;
+    }
   }
 
   Duration drawCalm() { return fromSeconds(m_restlessness.calm * m_random.uniform(0.5, 1.5)); }
