@@ -171,6 +171,9 @@ PageAnswer Dashboard::obey(const PageCommand &command)
       const std::lock_guard lock(m_mutex);
       m_emergency = m_emergency || emergency;
     }
+    if (emergency && onEmergency) {
+      onEmergency();
+    }
     publishRobot();
     return {200, emergency ? "emergency stop: it stands until that is released" : "it stands"};
   }

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <future>
 #include <map>
 #include <mutex>
@@ -57,6 +58,10 @@ public:
 
   /** The robot is to stand until somebody resumes: from any thread. */
   void pause() { m_halt = true; }
+
+  /** Called at once with every emergency stop, from the server's threads; set before the robot
+   * drives; may be empty. */
+  std::function<void()> onEmergency;
 
   /** Shows what the robot sees and does. */
   void show(const MissionScene &scene);

@@ -51,6 +51,9 @@ json stateOf(const MissionScene &scene)
   json state{{"seconds", rounded(scene.seconds, 0.1)},
              {"words", scene.state},
              {"why", scene.reason},
+             {"battery", scene.battery ? json(rounded(*scene.battery, 0.1)) : json()},
+             {"view_age", rounded(scene.viewAge, 0.1)},
+             {"scan_age", rounded(scene.scanAge, 0.1)},
              {"route", json::array()}};
   for (const NodeId node : scene.route) {
     state["route"].push_back(node.value);
@@ -58,6 +61,7 @@ json stateOf(const MissionScene &scene)
   if (!scene.speeds.empty()) {
     const SpeedSample &now = scene.speeds.back();
     state["told"] = {rounded(now.told.v, 0.001), rounded(now.told.w, 0.001)};
+    state["sure"] = rounded(now.sure, 0.01);
     state["driven"] = {rounded(now.measured.v, 0.001), rounded(now.measured.w, 0.001)};
   }
   return state;

@@ -37,7 +37,7 @@ public:
                                  mission(arguments))),
         m_pilotOptions(
             explorationOptions(m_robot->files().rig, m_robot->runsByItself(), arguments.settings)),
-        m_dashboard(openDashboard(arguments.view, arguments.robot)),
+        m_dashboard(openDashboard(arguments.view, arguments.robot, *m_robot)),
         m_viewer(
             openViewer(arguments.view, *m_robot, m_pilotOptions.directions, m_dashboard.get())),
         m_devices(m_viewer ? m_viewer->devices() : m_robot->devices()), m_begin(m_robot->watch()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mission_viewer.h"
 
+#include "real_robot.h"
 #include "stop_signal.h"
 #include "view_window.h"
 
@@ -130,7 +131,7 @@ public:
     const Time now = m_robot.watch();
     update([&](MissionScene &scene) {
       scene.seconds = toSeconds(now - m_begin);
-      scene.speeds.push_back({scene.seconds, told, m_measured});
+      scene.speeds.push_back({scene.seconds, told, m_measured, scene.sure});
       while (scene.speeds.front().seconds < scene.seconds - kKept) {
         scene.speeds.pop_front();
       }
@@ -142,6 +143,31 @@ public:
   }
 
   void measured(const Twist2 &twist) { m_measured = twist; }
+
+  /** Something new was seen, from any thread. */
+  void sees(const Sighting &seen)
+  {
+    update([&](MissionScene &scene) {
+      scene.view = seen.view;
+      scene.goal = seen.goal ? "node " + std::to_string(seen.goal->value) : std::string();
+      scene.home = seen.home ? std::optional(seen.home->direction) : std::nullopt;
+      scene.sure = seen.home ? seen.home->confidence : 0.0;
+      scene.alike.clear();
+      for (const PlaceMatch &match : seen.matches) {
+        scene.alike.emplace_back(match.node, match.probability);
+      }
+      m_viewed = scene.seconds;
+    });
+  }
+
+  /** There is a new scan. */
+  void scans(const Scan &scan)
+  {
+    update([&](MissionScene &scene) {
+      scene.scan = scan;
+      m_scanned = scene.seconds;
+    });
+  }
 
   /** What looking on took of a tick. */
   void spent(std::chrono::duration<double, std::milli> time)
@@ -168,11 +194,18 @@ private:
   void post()
   {
     std::optional<Pose2> truth;
-    if (m_robot.real() == nullptr && m_robot.truth()) {
+    std::optional<double> battery;
+    if (RealRobot *real = m_robot.real()) {
+      battery = real->base().battery();
+    }
+    else if (m_robot.truth()) {
       truth = m_robot.truth()->pose;
     }
     std::unique_lock lock(m_mutex);
     m_scene.robot = truth;
+    m_scene.battery = battery;
+    m_scene.viewAge = m_scene.seconds - m_viewed;
+    m_scene.scanAge = m_scene.seconds - m_scanned;
     if (m_next && !m_waits) {
       return; // the one before is not even begun
     }
@@ -232,6 +265,8 @@ private:
   std::condition_variable m_changed;
   MissionScene m_scene;               ///< under m_mutex, as all below
   std::optional<MissionScene> m_next; ///< to be drawn
+  double m_viewed = 0.0;              ///< seconds, see MissionScene
+  double m_scanned = 0.0;             ///< seconds
   bool m_over = false;
   bool m_failed = false; ///< nothing is drawn any more
   std::thread m_thread;
@@ -282,7 +317,7 @@ private:
     {
       std::optional<Scan> scan = m_laser.scan();
       if (scan) {
-        m_screen.update([&](MissionScene &scene) { scene.scan = scan; });
+        m_screen.scans(*scan);
       }
       return scan;
     }
@@ -308,16 +343,25 @@ void addViewOptions(CliCommand command, ViewArguments &arguments)
 }
 
 std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments,
-                                         const RobotArguments &robot)
+                                         const RobotArguments &settings, MissionRobot &robot)
 {
   if (arguments.serve.empty()) {
     return nullptr;
   }
-  if (!robot.record.file.empty()) {
+  if (!settings.record.file.empty()) {
     throw ConfigError("--serve and --record exclude each other: what is commanded at the page "
                       "would not be in the recording");
   }
-  auto dashboard = std::make_unique<Dashboard>(arguments.serve, robot.replay.empty());
+  auto dashboard = std::make_unique<Dashboard>(arguments.serve, settings.replay.empty());
+  if (RealRobot *real = robot.real()) {
+    dashboard->onEmergency = [real] {
+      try {
+        real->base().emergencyStop();
+      }
+      catch (const DeviceError &) { // whose line is gone stops by itself
+      }
+    };
+  }
   std::printf("open %s\n", dashboard->url().c_str());
   std::fflush(stdout);
   return dashboard;
@@ -365,17 +409,7 @@ Devices MissionViewer::devices()
 
 void MissionViewer::watch(Pilot &pilot)
 {
-  pilot.onSight = [this](const Sighting &seen) {
-    m_screen->update([&](MissionScene &scene) {
-      scene.view = seen.view;
-      scene.goal = seen.goal ? "node " + std::to_string(seen.goal->value) : std::string();
-      scene.home = seen.home ? std::optional(seen.home->direction) : std::nullopt;
-      scene.alike.clear();
-      for (const PlaceMatch &match : seen.matches) {
-        scene.alike.emplace_back(match.node, match.probability);
-      }
-    });
-  };
+  pilot.onSight = [this](const Sighting &seen) { m_screen->sees(seen); };
 }
 
 void MissionViewer::say(const std::string &line)
@@ -394,6 +428,7 @@ void MissionViewer::step(const TopologicalMap &map, const std::map<NodeId, Pose2
     scene.state = state;
     scene.goal.clear();
     scene.home.reset();
+    scene.sure = 0.0;
   });
 }
 

@@ -37,7 +37,7 @@ std::string commandWords(const Command &command);
  * be in the recording
  */
 std::unique_ptr<Dashboard> openDashboard(const ViewArguments &arguments,
-                                         const RobotArguments &robot);
+                                         const RobotArguments &settings, MissionRobot &robot);
 
 /**
  * Shows a mission while it runs, in windows, as a video or in browsers, drawn by a thread of its

@@ -341,7 +341,7 @@ int navigate(const NavigateArguments &arguments)
   const PilotOptions options =
       pilotOptions(robot->files().rig, robot->runsByItself(), arguments.homing);
   file.expectMadeWith(mapHeader(robot->files(), options));
-  const auto dashboard = openDashboard(arguments.view, arguments.robot);
+  const auto dashboard = openDashboard(arguments.view, arguments.robot, *robot);
   const auto viewer = openViewer(arguments.view, *robot, options.directions, dashboard.get());
   const Devices devices = viewer ? viewer->devices() : robot->devices();
   const Time start = robot->watch();

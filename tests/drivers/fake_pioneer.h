@@ -82,6 +82,13 @@ public:
     m_sip.stall = bits;
   }
 
+  /** See ArcosSip::battery. */
+  void setBattery(std::uint8_t tenthVolts)
+  {
+    const std::lock_guard lock(m_mutex);
+    m_sip.battery = tenthVolts;
+  }
+
   /** See ArcosSip::flags. */
   void setFlags(std::uint16_t bits)
   {
@@ -147,6 +154,9 @@ private:
     else if (is(ArcosCommand::Vel)) {
       const auto speed = static_cast<std::int16_t>(arcosArgument(packet).value_or(0));
       m_sip.leftSpeed = m_sip.rightSpeed = speed;
+    }
+    else if (is(ArcosCommand::EStop)) {
+      m_sip.leftSpeed = m_sip.rightSpeed = 0;
     }
   }
 

@@ -97,6 +97,23 @@ TEST(PioneerBase, StopsWhenNobodyDrivesAnyMore)
   EXPECT_TRUE(soon([&] { return base.state().velocity.v == 0.0; }));
 }
 
+TEST(PioneerBase, StopsHardInAnEmergencyAndSaysHowFullItsBatteryIs)
+{
+  Line line = tcpLine();
+  FakePioneer robot(line.device);
+  PioneerBase base(std::move(line.driver), steadyOptions());
+  robot.setBattery(124);
+  EXPECT_TRUE(soon([&] { return std::abs(base.battery().value_or(0.0) - 12.4) < 1e-9; }));
+  base.drive({0.2, 0.0});
+  EXPECT_TRUE(soon([&] { return base.state().velocity.v == 0.2; }));
+  robot.forget();
+  base.emergencyStop();
+  EXPECT_TRUE(soon([&] { return base.state().velocity.v == 0.0; }));
+  EXPECT_TRUE(robot.heard({arcosCommand(EStop)}));
+  base.drive({0.2, 0.0}); // whoever releases it says when
+  EXPECT_TRUE(soon([&] { return base.state().velocity.v == 0.2; }));
+}
+
 TEST(PioneerBase, KeepsAnIdleRobotAwake)
 {
   Line line = tcpLine();

@@ -22,12 +22,12 @@ let commander = "";
 let chosen: number | null = null;
 let map: MapData = { file: "", nodes: [], edges: [], edits: [] };
 let robot: Robot = { drives: false, stands: false, halting: false, resumable: false, emergency: false, words: "" };
-let state: State = { seconds: 0, words: "", why: "", route: [] };
+let state: State = { seconds: 0, words: "", why: "", route: [], battery: null, view_age: 0, scan_age: 0 };
 let scan: Scan | null = null;
 let view: View | null = null;
 const viewImage = new Image();
 const samples: Sample[] = [];
-const arrived: Record<string, number> = {}; // when each event came last, ms
+let events = 0; // reports in this second
 
 // What the program answers
 
@@ -119,9 +119,12 @@ function showLog(lines: string[]): void {
 }
 
 function showAges(): void {
-  const age = (event: string): string => (arrived[event] ? `${((performance.now() - arrived[event]) / 1000).toFixed(0)} s old` : "none yet");
-  find("scanWords").textContent = age("scan");
-  find("speedWords").textContent = `told gray, driven blue, ${state.seconds.toFixed(0)} s`;
+  const near = scan ? Math.min(...scan.ranges.filter((range): range is number => range !== null)) : Infinity;
+  const clearance = near < Infinity ? `nearest thing ${near.toFixed(2)} m, ` : "";
+  find("scanWords").textContent = scan ? `${clearance}${state.scan_age.toFixed(1)} s old` : "none yet";
+  find("health").textContent = [`${state.seconds.toFixed(0)} s`, view && `picture ${state.view_age.toFixed(1)} s old`, `${events} reports a second`,
+    state.battery !== null && `battery ${state.battery.toFixed(1)} V`].filter(Boolean).join(", ");
+  events = 0;
 }
 
 // The timeline
@@ -164,9 +167,10 @@ link.on<MapData>("map", (data) => {
 });
 link.on<State>("state", (data) => {
   state = data;
+  ++events;
   mapView.setRoute(data.route);
   if (data.told && data.driven) {
-    samples.push({ seconds: data.seconds, told: data.told, driven: data.driven });
+    samples.push({ seconds: data.seconds, told: data.told, driven: data.driven, sure: data.sure ?? 0 });
     while (samples[0].seconds < data.seconds - span || samples[0].seconds > data.seconds) samples.shift();
     showSpeeds();
   }
@@ -180,7 +184,6 @@ link.on<View>("view", (data) => {
 });
 link.on<Scan>("scan", (data) => {
   scan = data;
-  arrived.scan = performance.now();
   showScan();
 });
 link.on<Robot>("robot", (data) => {

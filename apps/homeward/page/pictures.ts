@@ -74,19 +74,23 @@ export function drawScan(canvas: HTMLCanvasElement, scan: Scan): void {
   g.fill();
 }
 
-export interface Sample { seconds: number; told: [number, number]; driven: [number, number]; }
+export interface Sample { seconds: number; told: [number, number]; driven: [number, number]; sure: number; }
 
-/** Speed above, turn rate below: what was told in gray, what was driven in blue. */
+/** Speed, turn rate and how sure the way home is, one above the other: what was told in gray, the rest in blue. */
 export function drawSpeeds(canvas: HTMLCanvasElement, samples: Sample[], span: number): void {
   const { g, width, height } = begin(canvas);
   const end = samples.length > 0 ? samples[samples.length - 1].seconds : 0;
-  const half = height / 2;
-  ([["m/s", 0.6, 0], ["rad/s, left up", 1, 1]] as [string, number, 0 | 1][]).forEach(([unit, reach, which], row) => {
-    const middle = half * (row + 0.5) + 6;
-    const y = (value: number): number => middle - (half / 2 - 18) * Math.max(-1, Math.min(1, value / reach));
+  const third = height / 3;
+  const curves: [string, number, number, (sample: Sample) => number | null, (sample: Sample) => number][] = [
+    ["m/s", -0.6, 0.6, (sample) => sample.told[0], (sample) => sample.driven[0]],
+    ["rad/s, left up", -1, 1, (sample) => sample.told[1], (sample) => sample.driven[1]],
+    ["how sure the way home is", 0, 1, () => null, (sample) => sample.sure],
+  ];
+  curves.forEach(([unit, low, high, told, driven], row) => {
+    const y = (value: number): number => third * (row + 1) - 8 - (third - 30) * ((Math.max(low, Math.min(high, value)) - low) / (high - low));
     const x = (seconds: number): number => 34 + (width - 40) * (1 - (end - seconds) / span);
     g.textBaseline = "middle";
-    for (const value of [-reach, 0, reach]) {
+    for (const value of [low, (low + high) / 2, high]) {
       g.strokeStyle = colours.line;
       g.lineWidth = 1;
       g.beginPath();
@@ -98,12 +102,15 @@ export function drawSpeeds(canvas: HTMLCanvasElement, samples: Sample[], span: n
       g.fillText(value.toFixed(1), 30, y(value));
     }
     g.textAlign = "left";
-    g.fillText(unit, 38, y(reach) - 9);
-    for (const [key, colour, wide] of [["told", "#9aa3a9", 3], ["driven", colours.way, 1.5]] as ["told" | "driven", string, number][]) {
+    g.fillText(unit, 38, y(high) - 9);
+    for (const [value, colour, wide] of [[told, "#9aa3a9", 3], [driven, colours.way, 1.5]] as [(sample: Sample) => number | null, string, number][]) {
       g.strokeStyle = colour;
       g.lineWidth = wide;
       g.beginPath();
-      samples.forEach((sample, i) => (i === 0 ? g.moveTo(x(sample.seconds), y(sample[key][which])) : g.lineTo(x(sample.seconds), y(sample[key][which]))));
+      samples.forEach((sample, i) => {
+        const at = value(sample);
+        if (at !== null) i === 0 ? g.moveTo(x(sample.seconds), y(at)) : g.lineTo(x(sample.seconds), y(at));
+      });
       g.stroke();
     }
   });

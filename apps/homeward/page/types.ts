@@ -5,7 +5,7 @@ export interface Direction { bearing: number; width: number; state: "open" | "dr
 export interface Place { id: number; name: string; x: number; y: number; heading: number; view: boolean; directions: Direction[]; }
 export interface Way { a: number; b: number; length: number | null; tries: number; successes: number; seconds: number; error: string; forbidden: boolean; }
 export interface MapData { file: string; nodes: Place[]; edges: Way[]; edits: string[]; }
-export interface State { seconds: number; words: string; why: string; route: number[]; told?: [number, number]; driven?: [number, number]; }
+export interface State { seconds: number; words: string; why: string; route: number[]; battery: number | null; view_age: number; scan_age: number; sure?: number; told?: [number, number]; driven?: [number, number]; }
 export interface View { jpeg: string; goal: string; home: number | null; alike: [number, number][]; }
 export interface Scan { angle_min: number; angle_step: number; range_max: number; ranges: (number | null)[]; open: [number, number, number][]; }
 export interface Robot { drives: boolean; stands: boolean; halting: boolean; resumable: boolean; emergency: boolean; words: string; }

@@ -312,6 +312,7 @@ void PioneerBase::take(const ArcosSip &sip, Time now)
   if (!std::exchange(m_heard, true)) {
     m_origin = m_origin * odometry.inverse();
   }
+  m_battery = 0.1 * sip.battery;
   m_state->stamp = now;
   m_state->odometry = m_origin * odometry;
   m_state->velocity = arcosVelocity(sip, m_units);
@@ -408,6 +409,20 @@ void PioneerBase::drive(const Twist2 &twist)
   m_commanded = !stands;
   sendVelocity(velocity);
   m_lastCommand = m_lastSent;
+}
+
+void PioneerBase::emergencyStop()
+{
+  const std::lock_guard lock(m_writing);
+  m_rounder.forget();
+  m_commanded = false;
+  send(arcosCommand(ArcosCommand::EStop));
+}
+
+std::optional<double> PioneerBase::battery()
+{
+  const std::lock_guard lock(m_knowing);
+  return m_battery;
 }
 
 BaseState PioneerBase::state()

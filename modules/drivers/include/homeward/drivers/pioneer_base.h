@@ -87,6 +87,16 @@ public:
    */
   void enableMotors();
 
+  /**
+   * Stops as hard as the robot can, whatever its deceleration is set to; the next drive() drives
+   * again. While others use it too, from any thread.
+   * @throw DeviceError when there is no connection
+   */
+  void emergencyStop();
+
+  /** Volts of its battery, as its last packet says; nothing before the first. From any thread. */
+  std::optional<double> battery();
+
   /** What its packets count in, see PioneerOptions::units. */
   const ArcosUnits &units() const { return m_units; }
 
@@ -153,11 +163,12 @@ private:
   std::mutex m_knowing;
   std::optional<BaseState> m_state;
   std::optional<Scan> m_scan;
-  bool m_heard = false;      ///< a packet came over this connection
-  bool m_motorsOn = false;   ///< they were, since they were enabled
-  std::string m_halt;        ///< see BaseState
-  ArcosSweepReader m_sweeps; ///< of the thread alone
-  std::string m_failure;     ///< why there is no connection
+  std::optional<double> m_battery; ///< volts
+  bool m_heard = false;            ///< a packet came over this connection
+  bool m_motorsOn = false;         ///< they were, since they were enabled
+  std::string m_halt;              ///< see BaseState
+  ArcosSweepReader m_sweeps;       ///< of the thread alone
+  std::string m_failure;           ///< why there is no connection
 
   Laser m_laser{*this};
   std::jthread m_thread; ///< last: it uses all of the above

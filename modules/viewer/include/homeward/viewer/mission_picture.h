@@ -26,6 +26,7 @@ struct SpeedSample
   double seconds = 0.0; ///< since the mission began
   Twist2 told;          ///< what the base was told
   Twist2 measured;      ///< what it says it does
+  double sure = 0.0;    ///< confidence of the newest home vector; 0 without one
 };
 
 /** A mission at one moment, as far as it is known by then. */
@@ -36,6 +37,10 @@ struct MissionScene
   std::string reason;                           ///< what it decided last, and by what
   Panorama view;                                ///< CV_8UC1 or CV_8UC3; empty: none yet
   std::string goal;                             ///< the place that it drives home to
+  double sure = 0.0;                            ///< confidence of the way home, 0 to 1
+  std::optional<double> battery;                ///< volts
+  double viewAge = 0.0;                         ///< seconds since the view was taken
+  double scanAge = 0.0;                         ///< seconds since the scan was taken
   std::optional<double> home;                   ///< bearing of the goal in the view, radians
   std::vector<std::pair<NodeId, double>> alike; ///< what the view may show, with probabilities
   std::optional<Scan> scan;                     ///< laser frame
