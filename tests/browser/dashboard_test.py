@@ -164,7 +164,7 @@ def explore(driver, homeward, world, folder, pictures):
             for width in (1440, 1024, 390):
                 page.picture(pictures / f"dashboard-{width}.png", width)
 
-        wait("the end", lambda: "done" in page.text("words"), 240)
+        wait("the end", lambda: "done" in page.text("words"), 400)
         places = page.nodes()
 
         # By keyboard alone: choose a place, go there, name it, take that back.
