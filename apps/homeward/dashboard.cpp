@@ -103,7 +103,7 @@ Dashboard::Dashboard(const std::string &address, bool drives)
       m_server({.address = parseServeAddress(address),
                 .token = newToken(),
                 .files = filesOfPage(),
-                .withoutToken = {"pause", "stop", "emergency-stop"},
+                .withoutToken = {"pause", "emergency-stop"},
                 .find = [this](const std::string &path) { return find(path); },
                 .command = [this](const PageCommand &command) { return obey(command); }})
 {
@@ -162,7 +162,7 @@ NextDrive Dashboard::await(MapFile &file, const std::string &words, bool resumab
 PageAnswer Dashboard::obey(const PageCommand &command)
 {
   const bool emergency = command.name == "emergency-stop";
-  if (emergency || command.name == "pause" || command.name == "stop") {
+  if (emergency || command.name == "pause") {
     if (!m_drives) {
       return {409, "there is no robot here"};
     }
@@ -178,11 +178,10 @@ PageAnswer Dashboard::obey(const PageCommand &command)
     return {200, emergency ? "emergency stop: it stands until that is released" : "it stands"};
   }
   if (command.name == "release") {
-    const std::lock_guard lock(m_mutex);
-    m_emergency = false;
-    m_changed.notify_all();
-  }
-  if (command.name == "release") {
+    {
+      const std::lock_guard lock(m_mutex);
+      m_emergency = false;
+    }
     publishRobot();
     return {200, "the emergency stop is released; it still stands"};
   }

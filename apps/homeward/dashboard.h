@@ -37,7 +37,7 @@ struct NextDrive
 /**
  * A mission or a map in the browser. What it shows is taken over from any thread and nobody waits
  * for a browser. Commands that change the map are carried out by the thread that the map belongs
- * to: between steps, or while the robot stands. A pause, a stop and an emergency stop are seen at
+ * to: between steps, or while the robot stands. A pause and an emergency stop are seen at
  * the next tick of whoever drives by halt().
  */
 class Dashboard

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program.h"
-#include "test_paths.h"
+#include "lab_runs.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,7 @@ namespace
 /** Debian's own rosbag, without ROS around it. */
 constexpr const char *kRosbag = "/usr/bin/python3 /usr/bin/rosbag";
 
-class Replay : public testing::Test
+class Replay : public LabRuns
 {
 protected:
   void SetUp() override
@@ -30,21 +29,6 @@ protected:
 
   static bool hasRosbag() { return std::filesystem::exists("/usr/bin/rosbag"); }
 
-  /** An exploration of the laboratory, of so many seconds. */
-  std::string exploration(int seconds, const std::string &map) const
-  {
-    return "explore --world " + (dataDir() / "worlds/lab.sdf").string() + " --max-time " +
-           std::to_string(seconds) + " --map " + folder / map + " ";
-  }
-
-  std::string canonical(const std::string &map) const
-  {
-    const ProgramRun run = runProgram("map export --canonical " + folder / map);
-    EXPECT_EQ(run.status, 0) << run.output;
-    return run.data;
-  }
-
-  Folder folder;
   std::string bag = folder / "drive.bag";
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program.h"
-#include "test_paths.h"
+#include "lab_runs.h"
 
 #include <gmock/gmock.h>
 #include <opencv2/videoio.hpp>
@@ -13,25 +12,8 @@ namespace
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-class View : public testing::Test
-{
-protected:
-  /** An exploration of the laboratory, of so many seconds. */
-  std::string exploration(int seconds, const std::string &map) const
-  {
-    return "explore --world " + (dataDir() / "worlds/lab.sdf").string() + " --max-time " +
-           std::to_string(seconds) + " --map " + folder / map + " ";
-  }
-
-  std::string canonical(const std::string &map) const
-  {
-    const ProgramRun run = runProgram("map export --canonical " + folder / map);
-    EXPECT_EQ(run.status, 0) << run.output;
-    return run.data;
-  }
-
-  Folder folder;
-};
+class View : public LabRuns
+{};
 
 /** How many pictures a video has; each must be of the size that is documented. */
 int pictures(const std::string &file)
